@@ -1,0 +1,15 @@
+// Binding 0: an array of rising numbers, and the search in it.
+
+layout(scalar, binding = 0) readonly buffer Rising { uint rising[]; };
+
+/// Index of the last of the first `count` elements that is not above `value`; the first element must not be.
+uint last_not_above(uint value, uint count) {
+  uint low = 0, high = count;
+  while (low + 1 < high) {
+    const uint middle = (low + high) / 2;
+    const bool above = rising[middle] > value;
+    low = above ? low : middle;
+    high = above ? middle : high;
+  }
+  return low;
+}

@@ -1,0 +1,21 @@
+#version 460
+// variants: hierarchy/bounds
+// Nodes of level 1, merged ray by ray: equations 1 to 4 for the cone, 7 and 8 for the sphere (section 3.2.4).
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "hierarchy/nodes.glsl"
+#include "variant.glsl"
+
+void main() {
+  uint i = invocation_index();
+  if (i >= node_count) return;
+  Ray ray = sorted_ray(ranges[i].x);
+  Node node = bound_of_ray(ray);
+  float far_end = ray.origin.w;
+  for (uint child = ranges[i].x + 1u; child < ranges[i].y; ++child) {
+    ray = sorted_ray(child);
+    node = bound_merge_ray(node, ray);
+    far_end = max(far_end, ray.origin.w);
+  }
+  store(i, node, far_end);
+}

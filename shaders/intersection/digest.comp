@@ -1,0 +1,64 @@
+#version 460
+// A 64-bit digest of what each ray of a segment met, keyed by pixel, path and light, and summed: equal exactly when
+// every ray's hit is, whatever the order of rays. Counts the rays that hit on the way.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+layout(local_size_x = 64) in;
+#include "lib/counters.glsl"
+#include "lib/invocation.glsl"
+#include "shared/limits.h"
+#include "shared/ray.h"
+
+layout(push_constant, scalar) uniform Push {
+  uint first_ray;  // of the segment
+  uint ray_count;
+  uint surfaces;   // slots a segment
+  uint kind;
+  uint light;
+  uint hits_counter;
+  uint digest_counter;
+};
+layout(binding = 0, scalar) readonly buffer Slots { uint slots[]; };
+layout(binding = 1, scalar) readonly buffer Hits { uvec4 hits[]; };
+layout(binding = 2, scalar) readonly buffer Pixels { vec4 diffuse_pixel[]; };
+layout(binding = 3, scalar) readonly buffer Paths { vec4 specular_path[]; };
+layout(binding = 4, scalar) buffer Counters { uvec2 counters[]; };
+
+/// One round of a 32-bit finaliser (constants of Wellons's lowbias32).
+uint mixed(uint x) {
+  x = (x ^ (x >> 16)) * 0x7FEB352Du;
+  x = (x ^ (x >> 15)) * 0x846CA68Bu;
+  return x ^ (x >> 16);
+}
+
+uint absorbed(uint state, uint word) { return mixed(state ^ (word + 0x9E3779B9u + (state << 6) + (state >> 2))); }
+
+void main() {
+  uint i = invocation_index();
+  uvec2 digest = uvec2(0u);
+  uint met = 0u;
+  if (i < ray_count) {
+    uint ray = first_ray + i;
+    uint surface = slots[ray] % surfaces;
+    uvec4 hit = hits[ray];
+    uint words[7] = uint[7](floatBitsToUint(diffuse_pixel[surface].w), floatBitsToUint(specular_path[surface].w), kind,
+                            light, hit.x, hit.y, hit.z);
+    digest = uvec2(1u, 2u);
+    for (uint k = 0u; k < 7u; ++k) digest = uvec2(absorbed(digest.x, words[k]), absorbed(digest.y, ~words[k]));
+    bool shadow = kind == kind_shadow;
+    met = (shadow ? all(equal(hit.xyz, uvec3(0xFFFFFFFFu))) : hit.y != none) ? 1u : 0u;
+  }
+  ADD_COUNTER(hits_counter, met)
+  // 64-bit sums, modulo 2^64: 16 bits at a time so that a subgroup's sum fits a word.
+  uvec4 parts = uvec4(digest.x & 0xFFFFu, digest.x >> 16, digest.y & 0xFFFFu, digest.y >> 16);
+  parts = subgroupAdd(parts);
+  if (subgroupElect()) {
+    uint low = parts.x + (parts.y << 16);
+    uint carry = (parts.y + (parts.x >> 16)) >> 16;
+    uint high = parts.z + (parts.w << 16) + carry;
+    uint before = atomicAdd(counters[digest_counter].x, low);
+    atomicAdd(counters[digest_counter].y, high + (before + low < before ? 1u : 0u));
+  }
+}

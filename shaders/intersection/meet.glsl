@@ -1,0 +1,42 @@
+// What happens where a ray meets a triangle (section 3.2.6), for every kernel that tests rays: the one test of
+// lib/triangle.glsl, then the closest hit with ties to the lower id, or a shadow ray's transmittance.
+// Bindings 0 to 4 are taken.
+
+#include "lib/triangle.glsl"
+#include "shared/limits.h"
+#include "shared/ray.h"
+#include "shared/scene.h"
+
+layout(binding = 0, scalar) readonly buffer CornersA { vec4 corner_a[]; };
+layout(binding = 1, scalar) readonly buffer CornersB { vec4 corner_b[]; };
+layout(binding = 2, scalar) readonly buffer CornersC { vec4 corner_c[]; };
+layout(binding = 3, scalar) readonly buffer Materials { Material materials[]; };
+layout(binding = 4, scalar) buffer Hits { uvec4 hits[]; };
+
+const uint blocked = 0xFFFFFFFFu;
+
+/// Transmittances are added as -log2 in fixed point and stop at `blocked`: no order and no repetition can show.
+uvec3 saturating_sum(uvec3 a, uvec3 b) {
+  uvec3 sum = a + b;
+  return mix(sum, uvec3(blocked), lessThan(sum, a));
+}
+
+/// The hit of `ray` after it has been tested against `triangle`.
+uvec4 meet(uvec4 hit, Ray ray, uint triangle) {
+  vec4 a = corner_a[triangle], b = corner_b[triangle], c = corner_c[triangle];
+  uint flags = floatBitsToUint(a.w);
+  bool shadow = uint(ray.direction.w) == kind_shadow;
+  bool cull_back = !shadow && (flags & triangle_cull_back) != 0u;
+  float t;
+  bool met = hit_triangle(ray.origin.xyz, ray.direction.xyz, ray.origin.w, a.xyz, b.xyz, c.xyz, cull_back, t);
+
+  float best = uintBitsToFloat(hit.x);
+  bool closer = !shadow && met && (t < best || (t == best && triangle < hit.y));
+  bool stopped = shadow && met && (flags & triangle_transmissive) == 0u;
+  uvec4 result = closer ? uvec4(floatBitsToUint(t), triangle, 0u, 0u) : hit;
+  result = stopped ? uvec4(blocked, blocked, blocked, 0u) : result;
+  // Rare and costly: a loop, because lavapipe 22.3 never skips an `if`.
+  for (bool tinted = shadow && met && !stopped; tinted; tinted = false)
+    result.xyz = saturating_sum(result.xyz, materials[flags & triangle_material_mask].tint.xyz);
+  return result;
+}

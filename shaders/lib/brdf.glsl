@@ -1,0 +1,41 @@
+#ifndef CRSH_LIB_BRDF_GLSL
+#define CRSH_LIB_BRDF_GLSL
+// glTF 2.0's metallic-roughness BRDF (appendix B of its specification) for light from one direction.
+
+#include "lib/fresnel.glsl"
+
+/// A smoother surface shows a light without extent as nothing at all, or as infinity: highlights end here.
+const float least_roughness = 0.045;
+const float pi = 3.14159265358979;
+
+/// GGX (Trowbridge-Reitz) distribution of microfacets.
+float ggx_distribution(float cos_half, float alpha) {
+  float squared = alpha * alpha;
+  float fall = cos_half * cos_half * (squared - 1.0) + 1.0;
+  return squared / (pi * fall * fall);
+}
+
+/// Smith's height-correlated masking and shadowing, over 4 cos_light cos_view.
+float smith_visibility(float cos_light, float cos_view, float alpha) {
+  float squared = alpha * alpha;
+  float light = cos_view * sqrt(cos_light * cos_light * (1.0 - squared) + squared);
+  float view = cos_light * sqrt(cos_view * cos_view * (1.0 - squared) + squared);
+  return 0.5 / max(light + view, 1e-12);
+}
+
+/// BRDF times the cosine to the light. Unit vectors; `view` points to where the ray came from. `diffuse`: what
+/// scatters, less metal and transmission.
+vec3 reflected_light(vec3 normal, vec3 view, vec3 light, vec3 diffuse, vec3 f0, float roughness) {
+  float cos_light = dot(normal, light);
+  if (!(cos_light > 0.0)) return vec3(0.0);
+  float cos_view = max(dot(normal, view), 1e-4);
+  vec3 between = view + light;
+  vec3 middle = between * inversesqrt(max(dot(between, between), 1e-12));
+  float alpha = max(roughness, least_roughness);
+  alpha *= alpha;
+  vec3 mirrored = f0 + (vec3(1.0) - f0) * schlick(dot(view, middle));
+  float lobe = ggx_distribution(clamp(dot(normal, middle), 0.0, 1.0), alpha) * smith_visibility(cos_light, cos_view, alpha);
+  return ((vec3(1.0) - mirrored) * diffuse / pi + mirrored * lobe) * cos_light;
+}
+
+#endif

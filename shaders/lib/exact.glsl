@@ -1,0 +1,38 @@
+#ifndef CRSH_LIB_EXACT_GLSL
+#define CRSH_LIB_EXACT_GLSL
+// Arithmetic that rounds the same in every shader: `precise` does not reach into the built-ins, so they stand here
+// written out, and nothing may be fused or reordered.
+
+float exact_dot(vec3 a, vec3 b) {
+  precise float x = a.x * b.x;
+  precise float y = a.y * b.y;
+  precise float z = a.z * b.z;
+  precise float sum = (x + y) + z;
+  return sum;
+}
+
+/// Antisymmetric to the last bit: exact_cross(a, b) == -exact_cross(b, a), which makes shared edges watertight.
+vec3 exact_cross(vec3 a, vec3 b) {
+  precise vec3 left = vec3(a.y * b.z, a.z * b.x, a.x * b.y);
+  precise vec3 right = vec3(a.z * b.y, a.x * b.z, a.y * b.x);
+  precise vec3 result = left - right;
+  return result;
+}
+
+float exact_length(vec3 v) {
+  precise float result = sqrt(exact_dot(v, v));
+  return result;
+}
+
+/// Unit vector; v itself where its length is 0.
+vec3 exact_normalize(vec3 v) {
+  precise float squared = exact_dot(v, v);
+  precise vec3 result = squared > 0.0 ? v / sqrt(squared) : v;
+  return result;
+}
+
+float largest(vec3 v) {
+  return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
+#endif

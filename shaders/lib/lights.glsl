@@ -1,0 +1,40 @@
+#ifndef CRSH_LIB_LIGHTS_GLSL
+#define CRSH_LIB_LIGHTS_GLSL
+// What reaches a point from a light (KHR_lights_punctual); ray creation and shading ask the same function.
+
+#include "lib/exact.glsl"
+#include "shared/scene.h"
+
+/// Unit direction to the light, and the share of its intensity that arrives, 1/m2 (directional: 1). 0: out of reach.
+struct Incidence {
+  vec3 towards;
+  float share;
+};
+
+/// Inverse square with a smooth end at `range` (infinite: none).
+float distance_share(float squared, float range) {
+  if (squared < 1e-20) return 0.0;
+  precise float relative = squared / (range * range);
+  precise float window = clamp(1.0 - relative * relative, 0.0, 1.0);
+  return window / squared;
+}
+
+Incidence incidence(Light light, vec3 point) {
+  if (uint(light.position.w) == light_directional) return Incidence(-light.direction.xyz, 1.0);
+  precise vec3 way = light.position.xyz - point;
+  vec3 towards = exact_normalize(way);
+  precise float angular = clamp(light.cone.y - exact_dot(light.direction.xyz, towards) * light.cone.x, 0.0, 1.0);
+  return Incidence(towards, distance_share(exact_dot(way, way), light.direction.w) * angular * angular);
+}
+
+/// Where a shadow ray to `point` starts: at the light (the paper's inversion, section 3.2.2); a directional light's on
+/// the plane through its position, outside the scene's bounds.
+vec3 light_end(Light light, vec3 point) {
+  if (uint(light.position.w) != light_directional) return light.position.xyz;
+  precise vec3 from_plane = point - light.position.xyz;
+  precise float height = exact_dot(from_plane, light.direction.xyz);
+  precise vec3 origin = point - light.direction.xyz * height;
+  return origin;
+}
+
+#endif

@@ -1,0 +1,125 @@
+#ifndef CRSH_LIB_TRIANGLE_GLSL
+#define CRSH_LIB_TRIANGLE_GLSL
+// What a hit is (one function's word), and the triangle's own bounds.
+//
+// A hit is: the ray passes inside the triangle, 0 < t < tmax, AND the point at t lies in the triangle's box (slab
+// interval) and in its smallest sphere (chord). Float tests accept points off slivers and at grazing incidence that a
+// right bound culls; with the two bounds in the definition, no culling test can disagree with brute force.
+
+#include "lib/exact.glsl"
+
+/// Bounds are padded by 2^-20 of the largest coordinate at hand: 16 units in its last place. This covers the rounding
+/// of t and of the bounds themselves, and lies 16 times below the step that moves ray origins off surfaces.
+const float bound_pad = 9.5367431640625e-7;
+/// Outward rounding of a computed bound, relative.
+const float bound_slack = 1.0 + 9.5367431640625e-7;
+
+/// Centre and padded radius of the smallest sphere around a triangle (Ericson 2004): of obtuse and right triangles
+/// the longest edge's, else the circumscribed one. The radius is measured from the rounded centre, so it holds.
+vec4 smallest_sphere(vec3 a, vec3 b, vec3 c) {
+  precise vec3 ab = b - a;
+  precise vec3 ac = c - a;
+  precise vec3 bc = c - b;
+  precise float at_a = exact_dot(ab, ac);
+  precise float at_b = -exact_dot(ab, bc);
+  precise float at_c = exact_dot(ac, bc);
+  precise vec3 centre = (a + b) * 0.5;
+  if (at_a <= 0.0) {
+    precise vec3 middle = (b + c) * 0.5;
+    centre = middle;
+  } else if (at_b <= 0.0) {
+    precise vec3 middle = (a + c) * 0.5;
+    centre = middle;
+  } else if (at_c > 0.0) {
+    // Barycentric weights of the circumcentre: squared edge times cosine term.
+    precise float wa = exact_dot(bc, bc) * at_a;
+    precise float wb = exact_dot(ac, ac) * at_b;
+    precise float wc = exact_dot(ab, ab) * at_c;
+    precise float sum = (wa + wb) + wc;
+    precise vec3 offset = (ab * wb + ac * wc) / sum;
+    centre = sum > 0.0 ? a + offset : centre;
+  }
+  precise float radius = max(max(exact_length(a - centre), exact_length(b - centre)), exact_length(c - centre));
+  precise float padded = radius * bound_slack + bound_pad * max(max(largest(a), largest(b)), largest(c));
+  return vec4(centre, padded);
+}
+
+/// 1 / d with zero components replaced by 1e-30, so that slabs see no NaN.
+vec3 safe_inverse(vec3 d) {
+  precise vec3 clamped = mix(d, mix(vec3(1e-30), vec3(-1e-30), lessThan(d, vec3(0.0))), lessThan(abs(d), vec3(1e-30)));
+  precise vec3 inverse = vec3(1.0) / clamped;
+  return inverse;
+}
+
+/// The point at t lies inside the box, by its slab interval.
+bool inside_slabs(vec3 origin, vec3 direction, float t, vec3 low, vec3 high) {
+  precise vec3 inverse = safe_inverse(direction);
+  precise vec3 first = (low - origin) * inverse;
+  precise vec3 second = (high - origin) * inverse;
+  precise vec3 near3 = min(first, second);
+  precise vec3 far3 = max(first, second);
+  precise float enter = max(max(near3.x, near3.y), near3.z);
+  precise float leave = min(min(far3.x, far3.y), far3.z);
+  precise float widened = leave * bound_slack;
+  precise float later = t * bound_slack;
+  return enter <= later && t <= widened;
+}
+
+/// The point at t lies inside the sphere, by its chord.
+bool inside_chord(vec3 origin, vec3 direction, float t, vec3 centre, float radius) {
+  precise vec3 to_centre = centre - origin;
+  precise float squared = exact_dot(direction, direction);
+  precise float middle = exact_dot(to_centre, direction) / squared;
+  precise vec3 across = to_centre - direction * middle;
+  precise float left = radius * radius - exact_dot(across, across);
+  precise float half_chord = sqrt(max(left, 0.0) / squared) * bound_slack;
+  precise float distance_to_middle = abs(t - middle);
+  precise float reach = half_chord + bound_pad * abs(middle);
+  return left >= 0.0 && distance_to_middle <= reach;
+}
+
+/// Unnormalised barycentric weights of corners a, b, c where the ray meets the plane: all of one sign inside.
+/// Equal to the last bit, with the sign turned, on both sides of a shared edge.
+vec3 edge_weights(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
+  precise vec3 va = a - origin;
+  precise vec3 vb = b - origin;
+  precise vec3 vc = c - origin;
+  return vec3(exact_dot(direction, exact_cross(vb, vc)), exact_dot(direction, exact_cross(vc, va)),
+              exact_dot(direction, exact_cross(va, vb)));
+}
+
+/// Whether the ray hits the triangle, and at which t. `cull_back`: the triangle's back lets the ray pass.
+bool hit_triangle(vec3 origin, vec3 direction, float tmax, vec3 a, vec3 b, vec3 c, bool cull_back, out float t) {
+  vec3 weights = edge_weights(origin, direction, a, b, c);
+  bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
+
+  precise vec3 ab = b - a;
+  precise vec3 ac = c - a;
+  precise vec3 normal = exact_cross(ab, ac);
+  precise float towards = exact_dot(direction, normal);  // negative: the ray meets the front
+  precise vec3 to_a = a - origin;
+  precise float distance_to_plane = exact_dot(to_a, normal);
+  precise float at = distance_to_plane / towards;
+  t = at;
+  bool in_range = towards != 0.0 && at > 0.0 && at < tmax;  // not parallel, not without area
+  bool faces = !(cull_back && towards > 0.0);
+
+  vec4 sphere = smallest_sphere(a, b, c);
+  float largest_origin = largest(origin);
+  precise float pad = bound_pad * (max(max(largest(a), largest(b)), largest(c)) + largest_origin);
+  precise vec3 low = min(min(a, b), c) - vec3(pad);
+  precise vec3 high = max(max(a, b), c) + vec3(pad);
+  precise float radius = sphere.w + bound_pad * largest_origin;
+  return inside && in_range && faces && inside_slabs(origin, direction, at, low, high) &&
+         inside_chord(origin, direction, at, sphere.xyz, radius);
+}
+
+/// Barycentric weights of a, b, c, summing to 1, where the ray meets the triangle (thirds for one without area).
+vec3 barycentrics(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
+  vec3 weights = edge_weights(origin, direction, a, b, c);
+  precise float sum = (weights.x + weights.y) + weights.z;
+  precise vec3 result = sum != 0.0 ? weights / sum : vec3(1.0 / 3.0);
+  return result;
+}
+
+#endif

@@ -1,0 +1,15 @@
+#version 460
+// First half of a pass of the stable radix sort (section 3.2.3): how often each digit occurs in each lane's run of
+// pairs. Each lane walks its run serially and owns a column of the histogram, which is all zeros before.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "primitives/sort_pass.glsl"
+
+layout(scalar, binding = 1) buffer Histogram { uint histogram[]; };
+
+void main() {
+  const uint lane = invocation_index();
+  if (lane >= lanes) return;
+  const uint end = min((lane + 1) * run, count);
+  for (uint i = lane * run; i < end; ++i) histogram[sort_slot(pairs[i].x, lane)]++;
+}

@@ -1,0 +1,27 @@
+#version 460
+// Second half of a pass of the stable radix sort (section 3.2.3): each lane walks its run serially and puts every pair
+// where the scanned histogram says that the next pair with its digit goes. So equal digits keep their order.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "primitives/sort_pass.glsl"
+
+layout(constant_id = 1) const bool values_only = false;  // the last pass may leave the keys out
+layout(constant_id = 2) const bool unstable = false;     // test-only fault: lanes walk their runs backwards
+
+layout(scalar, binding = 1) buffer Places { uint places[]; };  // the histogram after its exclusive scan
+layout(scalar, binding = 2) writeonly buffer Sorted { uvec2 sorted[]; };
+layout(scalar, binding = 2) writeonly buffer Values { uint values[]; };
+
+void main() {
+  const uint lane = invocation_index();
+  if (lane >= lanes) return;
+  const uint first = lane * run, end = min(first + run, count);
+  for (uint i = first; i < end; ++i) {
+    const uvec2 pair = pairs[unstable ? end - 1 - (i - first) : i];
+    const uint slot = sort_slot(pair.x, lane);
+    const uint place = places[slot];
+    places[slot] = place + 1;
+    if (values_only) values[place] = pair.y;
+    else sorted[place] = pair;
+  }
+}

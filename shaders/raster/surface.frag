@@ -1,0 +1,28 @@
+#version 460
+// The raster pass (section 3.1), fragments: position and normal, diffuse and specular properties of what the eye sees,
+// four floats a pixel each, and the triangle, from which the stages after derive what else they need.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "lib/exact.glsl"
+#include "raster/view.glsl"
+#include "scene/surface.glsl"
+
+layout(location = 0) flat in uint in_triangle;
+layout(location = 1) in vec3 in_weights;
+layout(location = 0) out vec4 out_position;  // w: roughness
+layout(location = 1) out vec4 out_normal;    // shading normal, on the eye's side; w: transmission
+layout(location = 2) out vec4 out_diffuse;   // base colour less metal; w: metallic
+layout(location = 3) out vec4 out_specular;  // F0; w: 1
+layout(location = 4) out uint out_triangle;  // its number from 1 on; 0: nothing
+
+void main() {
+  vec3 weights = max(in_weights, vec3(0.0));
+  weights /= max(weights.x + weights.y + weights.z, 1e-6);
+  vec3 point = point_at(weights, corner_a[in_triangle].xyz, corner_b[in_triangle].xyz, corner_c[in_triangle].xyz);
+  Surface seen = surface_at(in_triangle, weights, eye_ray(point));
+  out_position = vec4(seen.position, seen.roughness);
+  out_normal = vec4(seen.normal, seen.transmission);
+  out_diffuse = vec4(seen.diffuse, seen.metallic);
+  out_specular = vec4(seen.specular, 1.0);
+  out_triangle = in_triangle + 1u;
+}

@@ -1,0 +1,19 @@
+// The camera, as the raster pass's two shaders push it (C++: raster.cpp), and the scene's tables.
+
+layout(push_constant, scalar) uniform Push {
+  vec3 eye;
+  float orthographic;  // 1, or 0: perspective
+  vec3 right;
+  float scale_x;       // image half widths a metre, at distance 1 from a perspective eye
+  vec3 up;
+  float scale_y;
+  vec3 forward;
+  float near_plane;
+  vec2 shift;          // of the image, in half widths and half heights: where in its pixel the sample lies
+  float far_plane;     // orthographic only
+};
+
+#define SCENE_BINDING 0
+
+/// Unit direction of the ray that the eye sends through `point`.
+vec3 eye_ray(vec3 point) { return orthographic == 1.0 ? forward : exact_normalize(point - eye); }

@@ -1,0 +1,9 @@
+// The direction's place along a Hilbert curve over the octahedral map, 12 + 12 bits.
+#include "lib/cell.glsl"
+#include "lib/hilbert.glsl"
+#include "lib/octahedral.glsl"
+
+layout(constant_id = 0) const uint shadow_key_bits = 24;
+layout(constant_id = 1) const uint bounce_key_bits = 24;
+
+uint ray_key(vec3 place, vec3 direction, uint kind) { return hilbert(cell_of(octahedral(direction), 12), 12); }

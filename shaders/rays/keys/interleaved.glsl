@@ -1,0 +1,11 @@
+// The origin's place in the scene and the direction on the octahedral map, 5 bits a coordinate, all five interleaved.
+#include "lib/cell.glsl"
+#include "lib/morton.glsl"
+#include "lib/octahedral.glsl"
+
+layout(constant_id = 0) const uint shadow_key_bits = 25;
+layout(constant_id = 1) const uint bounce_key_bits = 25;
+
+uint ray_key(vec3 place, vec3 direction, uint kind) {
+  return morton(cell_of(place, 5), cell_of(octahedral(direction), 5), 5);
+}

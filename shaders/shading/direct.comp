@@ -1,0 +1,60 @@
+#version 460
+// Direct light of a batch's shadow rays (section 3.2.6, then glTF's BRDF): for each light in order, what its ray lets
+// through times what the surface sends on. Lane: a surface.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+layout(local_size_x = 64) in;
+#include "lib/brdf.glsl"
+#include "lib/invocation.glsl"
+#include "lib/lights.glsl"
+#include "shared/limits.h"
+#include "shared/ray.h"
+
+layout(push_constant, scalar) uniform Push {
+  uint surfaces;       // slots a segment
+  uint first_surface;  // of the batch
+  uint first_slot;     // of the first light's segment
+  uint first_light;
+  uint light_count;    // of this batch: at most 64 segments
+};
+layout(binding = 0, scalar) readonly buffer Positions { vec4 positions[]; };
+layout(binding = 1, scalar) readonly buffer Normals { vec4 normals[]; };
+layout(binding = 2, scalar) readonly buffer Geometrics { vec4 geometrics[]; };
+layout(binding = 3, scalar) readonly buffer Incomings { vec4 incomings[]; };
+layout(binding = 4, scalar) readonly buffer Diffuses { vec4 diffuses[]; };
+layout(binding = 5, scalar) readonly buffer Speculars { vec4 speculars[]; };
+layout(binding = 6, scalar) readonly buffer Lights { Light lights[]; };
+layout(binding = 7, scalar) readonly buffer Ends { uint ends[]; };
+layout(binding = 8, scalar) readonly buffer Hits { Hit hits[]; };
+layout(binding = 9, scalar) buffer Direct { vec4 direct[]; };
+
+/// What a shadow ray lets through, from its sum of -log2 in 16.16 fixed point; saturated: blocked.
+vec3 let_through(uvec3 sum) {
+  return mix(exp2(vec3(sum) * (-1.0 / 65536.0)), vec3(0.0), equal(sum, uvec3(0xFFFFFFFFu)));
+}
+
+uint ray_of(uint slot) {
+  uint before = slot == 0u ? 0u : ends[slot - 1u];
+  return ends[slot] > before ? before : none;
+}
+
+vec3 light_from(uint surface, Light light, vec3 visibility) {
+  Incidence incident = incidence(light, positions[surface].xyz);
+  vec4 normal = normals[surface];
+  vec3 scattered = diffuses[surface].rgb * (1.0 - normal.w);
+  return light.colour.rgb * incident.share * visibility *
+         reflected_light(normal.xyz, -incomings[surface].xyz, incident.towards, scattered, speculars[surface].rgb,
+                         geometrics[surface].w);
+}
+
+void main() {
+  uint i = invocation_index();
+  if (i >= surfaces) return;
+  uint surface = first_surface + i;
+  vec4 sum = direct[surface];
+  for (uint l = 0u; l < light_count; ++l) {
+    uint ray = ray_of(first_slot + l * surfaces + i);
+    if (ray != none) sum.rgb += light_from(surface, lights[first_light + l], let_through(hits[ray].words.xyz));
+  }
+  direct[surface] = sum;
+}

@@ -1,0 +1,31 @@
+// Where kernels put the surfaces they find, bound from SURFACES_BINDING on in this order (C++: shading::Surfaces, then
+// the emission of shading::Generation).
+
+layout(binding = SURFACES_BINDING + 0, scalar) writeonly buffer Positions { vec4 out_position[]; };
+layout(binding = SURFACES_BINDING + 1, scalar) writeonly buffer Normals { vec4 out_normal[]; };
+layout(binding = SURFACES_BINDING + 2, scalar) writeonly buffer Geometrics { vec4 out_geometric[]; };
+layout(binding = SURFACES_BINDING + 3, scalar) writeonly buffer Incomings { vec4 out_incoming[]; };
+layout(binding = SURFACES_BINDING + 4, scalar) writeonly buffer Diffuses { vec4 out_diffuse[]; };
+layout(binding = SURFACES_BINDING + 5, scalar) writeonly buffer Speculars { vec4 out_specular[]; };
+layout(binding = SURFACES_BINDING + 6, scalar) writeonly buffer Emissions { vec4 out_emission[]; };
+
+void store_surface(uint i, uint triangle, Surface found, vec3 incoming, uint pixel, uint path, float f0_share) {
+  out_position[i] = vec4(found.position, uintBitsToFloat(triangle));
+  out_normal[i] = vec4(found.normal, found.transmission);
+  out_geometric[i] = vec4(found.geometric, found.roughness);
+  out_incoming[i] = vec4(incoming, found.eta);
+  out_diffuse[i] = vec4(found.diffuse, uintBitsToFloat(pixel));
+  out_specular[i] = vec4(found.specular, uintBitsToFloat(path));
+  out_emission[i] = vec4(found.emission, f0_share);
+}
+
+/// Nothing was met: no rays start here.
+void store_nothing(uint i, vec3 incoming, uint pixel, uint path) {
+  out_position[i] = vec4(vec3(0.0), uintBitsToFloat(none));
+  out_normal[i] = vec4(0.0);
+  out_geometric[i] = vec4(0.0);
+  out_incoming[i] = vec4(incoming, 1.0);
+  out_diffuse[i] = vec4(vec3(0.0), uintBitsToFloat(pixel));
+  out_specular[i] = vec4(vec3(0.0), uintBitsToFloat(path));
+  out_emission[i] = vec4(vec3(0.0), -1.0);
+}

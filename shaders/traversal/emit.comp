@@ -1,0 +1,44 @@
+#version 460
+// The set bits of the children's masks as trimmed pairs (child node, triangle), node-major (section 3.2.5).
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+layout(local_size_x = 64) in;
+#include "lib/invocation.glsl"
+#include "shared/node.h"
+#include "traversal/descend.glsl"
+#include "traversal/emit.glsl"
+
+layout(push_constant, scalar) uniform Push {
+  Portion portion;
+  uint first_scanned;   // element of `scanned` that belongs to first_child
+  uint emitted_before;  // value of that element
+};
+layout(binding = 0, scalar) readonly buffer Parents { uint parents[]; };
+layout(binding = 1, scalar) readonly buffer Children { uvec2 children_of[]; };
+layout(binding = 2, scalar) readonly buffer Bases { uint bases[]; };
+layout(binding = 3, scalar) readonly buffer PairsAbove { HitPair pairs_above[]; };
+layout(binding = 4, scalar) readonly buffer Masks { uint masks[]; };
+layout(binding = 5, scalar) readonly buffer Scanned { uint scanned[]; };  // from the first child of the descent on
+layout(binding = 6, scalar) writeonly buffer Pairs { HitPair pairs[]; };
+
+void main() {
+  uint i = invocation_index();
+  if (i >= portion.child_count) return;
+  uint child = portion.first_child + i;
+  uint parent = parents[child];
+  uint place_of_parent = parent - portion.first_parent;
+  uint base = portion.first_base + place_of_parent;
+  List list = list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before, place_of_parent,
+                      child - children_of[parent].x);
+  uint place = scanned[first_scanned + i] - emitted_before;
+  uint word = list.first_mask;
+  for (uint begin = list.begin; begin < list.end; begin += 32u) {
+    uint mask = masks[word++];
+    while (mask != 0u) {
+      uint k = uint(findLSB(mask));
+      pairs[place] = emitted(place, child, pairs_above[begin + k].triangle);
+      ++place;
+      mask &= mask - 1u;
+    }
+  }
+}

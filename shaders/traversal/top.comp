@@ -1,0 +1,56 @@
+#version 460
+// variants: hierarchy/bounds
+// Top level against the triangles' spheres (section 3.2.5, equation 9): a lane takes one node and one block of at most
+// 32 triangles of one object, and skips the block where the node misses the object. Neighbouring lanes take
+// neighbouring nodes, so that they read the same triangles.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+layout(local_size_x = 64) in;
+#include "lib/counters.glsl"
+#include "lib/invocation.glsl"
+#include "shared/node.h"
+#include "variant.glsl"
+
+layout(push_constant, scalar) uniform Push {
+  uint first_node;
+  uint node_count;
+  uint first_block;
+  uint block_count;
+  uint words;  // of mesh_hits a node; 0: no mesh culling
+  uint first_mesh_hits;
+  uint use_interval;
+  uint tests_counter;
+  uint hits_counter;
+};
+layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
+layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
+layout(binding = 2, scalar) readonly buffer Blocks { uvec4 blocks[]; };  // object, first triangle, triangles
+layout(binding = 3, scalar) readonly buffer TriangleSpheres { vec4 triangle_spheres[]; };
+layout(binding = 4, scalar) readonly buffer MeshHits { uint mesh_hits[]; };
+layout(binding = 5, scalar) writeonly buffer Masks { uint masks[]; };    // node-major
+layout(binding = 6, scalar) writeonly buffer Counts { uint counts[]; };  // of the masks' bits
+layout(binding = 7, scalar) buffer Counters { uvec2 counters[]; };
+
+void main() {
+  uint i = invocation_index();
+  if (i >= node_count * block_count) return;
+  uint block_index = i / node_count, node = i % node_count;
+  uvec4 block = blocks[first_block + block_index];
+  uint count = block.z;
+  if (words > 0u) {
+    uint word = mesh_hits[first_mesh_hits + node * words + (block.x >> 5u)];
+    count = (word >> (block.x & 31u)) % 2u == 1u ? count : 0u;
+  }
+  Node ray_node = nodes[first_node + node];
+  Interval interval = intervals[first_node + node];
+  uint mask = 0u;
+  for (uint k = 0u; k < count; ++k)
+    if (bound_may_hit_sphere(ray_node, interval, triangle_spheres[block.y + k], use_interval == 1u)) mask |= 1u << k;
+  uint hits = bitCount(mask);
+  masks[node * block_count + block_index] = mask;
+  counts[node * block_count + block_index] = hits;
+  ADD_COUNTER(tests_counter, count)
+  ADD_COUNTER(hits_counter, hits)
+}

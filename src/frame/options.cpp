@@ -1,0 +1,53 @@
+#include "frame/options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "error.h"
+
+namespace crsh {
+namespace {
+
+AlgorithmOptions brute() {
+  AlgorithmOptions options{.preset = "brute", .brute = true};
+  options.compression = options.interval = options.mesh_culling = false;
+  return options;
+}
+
+/// Roger et al. 2007: rays as they come from screen tiles.
+AlgorithmOptions rah() {
+  AlgorithmOptions options{.preset = "rah", .ray_order = RayOrder::tiles};
+  options.compression = options.mesh_culling = false;
+  return options;
+}
+
+/// The paper as printed.
+AlgorithmOptions crsh_2017() {
+  AlgorithmOptions options{.preset = "crsh-2017", .compression = true, .fit = Fit::merged, .interval = false};
+  options.keys.fill("spherical");
+  return options;
+}
+
+/// Our best: bounds fitted to all rays, each kind with its best key.
+AlgorithmOptions crsh_best() {
+  AlgorithmOptions options{.preset = "crsh", .compression = false};
+  for (size_t kind = 0; kind < kind_count; ++kind) options.keys[kind] = ray_kinds[kind].best_key;
+  return options;
+}
+
+}  // namespace
+
+const std::vector<std::string>& preset_names() {
+  static const std::vector<std::string> names = {"brute", "rah", "crsh-2017", "crsh"};
+  return names;
+}
+
+AlgorithmOptions preset(const std::string& name) {
+  if (name == "brute") return brute();
+  if (name == "rah") return rah();
+  if (name == "crsh-2017") return crsh_2017();
+  if (name == "crsh") return crsh_best();
+  throw UserError(fmt::format("no such algorithm: choose {}", fmt::join(preset_names(), ", ")), Exit::usage);
+}
+
+}  // namespace crsh

@@ -1,0 +1,69 @@
+#pragma once
+// Every option that changes what is rendered or how, with its default: the command line, the viewer and the
+// statistics all speak of this struct.
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rays/kinds.h"
+
+namespace crsh {
+
+/// --light x,y,z[,candela]
+struct LightOption {
+  glm::vec3 position{0};
+  std::optional<float> candela;  ///< none: π·d² ÷ number of such lights
+};
+
+/// --eye --target --up --fov
+struct ViewOption {
+  std::optional<glm::vec3> eye, target;
+  glm::vec3 up{0, 1, 0};
+  std::optional<float> fov_degrees;  ///< vertical
+};
+
+enum class RayOrder { scanline, tiles };
+enum class NodeCut { fixed, cut };
+enum class Fit { merged, all };
+
+/// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
+struct AlgorithmOptions {
+  std::string preset = "crsh";
+  bool brute = false;                        ///< every ray against every triangle: nothing below matters
+  std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
+  RayOrder ray_order = RayOrder::scanline;
+  bool compression = true;
+  NodeCut nodes = NodeCut::fixed;
+  uint32_t arity = 8;
+  std::array<uint32_t, kind_count> levels = {2, 2, 2};
+  std::string bound = "sphere-cone";
+  Fit fit = Fit::all;
+  bool interval = true;
+  bool mesh_culling = true;
+  bool mixed_batches = true;                 ///< ray kinds of a bounce are sorted and bundled together
+};
+
+struct RenderOptions {
+  uint32_t width = 0, height = 512;  ///< width 0: from the camera's aspect
+  uint32_t samples = 1, seed = 0, bounces = 4;
+  std::optional<glm::vec3> background = glm::vec3(0);  ///< none: transparent
+  std::string scene, camera, animation;                ///< index or name; empty: the default
+  ViewOption view;
+  std::vector<LightOption> lights;                     ///< not empty: they replace the file's
+  std::array<bool, kind_count> rays = {true, true, true};
+  bool override_mirror = false;
+  AlgorithmOptions algorithm;
+  uint64_t submit_work = uint64_t(1) << 26;            ///< tests a submit
+  std::optional<std::string> mutation;                 ///< test-only: a fault to switch on (tests/README.md)
+};
+
+/// The preset of this name: brute, rah, crsh-2017 or crsh. Throws UserError that lists them for any other.
+[[nodiscard]] AlgorithmOptions preset(const std::string& name);
+/// Names of all presets, in the order in which tables show them.
+[[nodiscard]] const std::vector<std::string>& preset_names();
+
+}  // namespace crsh

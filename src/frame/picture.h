@@ -1,0 +1,30 @@
+#pragma once
+// A rendered frame: linear float layers, rows from the top.
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace crsh {
+
+/// One named layer of `channels` interleaved floats a pixel ("" is the beauty, RGBA premultiplied).
+struct Layer {
+  std::string name;                    ///< "", "Z", "N", "Albedo", ...
+  std::vector<std::string> channels;   ///< names as in the EXR: {"R","G","B","A"}, {"Z"}, {"N.X","N.Y","N.Z"}, {"Albedo.R",...}
+  std::vector<float> values;           ///< width * height * channels.size()
+};
+
+struct Picture {
+  uint32_t width = 0, height = 0;
+  std::vector<Layer> layers;           ///< the beauty first
+  glm::mat4 world_to_camera{1};        ///< OpenEXR's worldToCamera
+  glm::mat4 world_to_ndc{1};           ///< OpenEXR's worldToNDC
+  [[nodiscard]] const Layer* find(const std::string& name) const {
+    for (const Layer& layer : layers)
+      if (layer.name == name) return &layer;
+    return nullptr;
+  }
+};
+
+}  // namespace crsh

@@ -1,0 +1,42 @@
+#pragma once
+// A scene on a device, rendered frame by frame: the library behind the command line and the viewer.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frame/options.h"
+#include "frame/picture.h"
+#include "frame/statistics.h"
+#include "gpu/device.h"
+#include "scene/scene.h"
+
+namespace crsh {
+
+/// Holds the scene's buffers and pipelines between frames.
+class Renderer {
+ public:
+  /// Called with 0..1 while a frame is under way; may throw to cancel.
+  using Progress = std::function<void(double)>;
+
+  /// Uploads the scene. Throws UserError: unknown camera, too little --max-memory (naming the minimum), ...
+  Renderer(gpu::Device& device, const scene::Scene& scene, const RenderOptions& options);
+  ~Renderer();
+
+  /// Renders the scene at `seconds`. Beauty, Z, N and Albedo layers.
+  [[nodiscard]] Picture render(double seconds, const Progress& progress = {});
+
+  /// Counters and times of all frames so far.
+  [[nodiscard]] const Statistics& statistics() const;
+  /// Every effective option, the image's final size included.
+  [[nodiscard]] const RenderOptions& options() const;
+  /// Lines for stderr: the default light or the resolved --light as pasteable options, and such.
+  [[nodiscard]] const std::vector<std::string>& notes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace crsh

@@ -1,0 +1,124 @@
+#pragma once
+// One Vulkan 1.3 device with one graphics and compute queue, and the account of its memory.
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crsh::gpu {
+
+class Instance;
+class Program;
+class Transfer;
+struct Kernel;
+
+/// What a device says of itself; `index` is its place in `list_devices()`.
+struct DeviceInfo {
+  uint32_t index = 0;
+  std::string name, driver, driver_version, api_version;
+  std::string type;  ///< "discrete", "integrated", "virtual", "cpu" or "other"
+  std::string uuid;  ///< 32 hex digits with dashes
+  uint32_t subgroup_size = 0;
+  bool software = false;      ///< the device is a CPU
+  std::string unusable;       ///< why it cannot be used; empty when it can
+};
+
+/// Limits that buffers, bindings and dispatches respect. Bytes unless said otherwise.
+struct Limits {
+  uint64_t max_binding = 0;        ///< maxStorageBufferRange
+  uint64_t max_allocation = 0;     ///< maxMemoryAllocationSize
+  uint32_t binding_alignment = 1;  ///< minStorageBufferOffsetAlignment
+  uint32_t max_groups = 65535;     ///< workgroups an axis of a dispatch
+  uint32_t max_image_size = 0;     ///< pixels an axis of a 2-D image or framebuffer
+  double nanoseconds_per_tick = 1;
+};
+
+struct DeviceRequest {
+  std::string selector;           ///< index, part of the name, or UUID; empty: a real GPU before a software device
+  uint64_t memory_budget = 0;     ///< bytes that all buffers and images together may take; 0: no bound
+  bool validation = false;        ///< validation and synchronisation validation layers, any message is counted
+  uint64_t first_capacity = 0;    ///< growing buffers start with so many bytes (tests); 0: what is asked for
+};
+
+/// Thrown where an allocation does not fit the budget or the device; `frame` splits or reports it.
+struct OutOfMemory {
+  std::string what;       ///< name of the buffer or image
+  uint64_t needed = 0;    ///< bytes of device memory in all, this allocation included
+  uint64_t available = 0; ///< the budget, or 0 where the device itself refused
+};
+
+/// All devices, usable or not. Throws UserError (exit 77) where there is no Vulkan loader or no device at all.
+[[nodiscard]] std::vector<DeviceInfo> list_devices();
+
+/// Owns instance, device, queue, pipelines by name, and the sum of allocated bytes. Neither copied nor moved.
+class Device {
+ public:
+  explicit Device(const DeviceRequest& request);
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  [[nodiscard]] const DeviceInfo& info() const { return info_; }
+  [[nodiscard]] const Limits& limits() const { return limits_; }
+  [[nodiscard]] const DeviceRequest& request() const { return request_; }
+  [[nodiscard]] uint64_t allocated_bytes() const { return allocated_; }
+  [[nodiscard]] uint64_t peak_bytes() const { return peak_; }
+  /// Bytes that may still be allocated under the budget (UINT64_MAX without one).
+  [[nodiscard]] uint64_t available_bytes() const;
+  /// Validation messages of severity warning or error since the device was made.
+  [[nodiscard]] uint64_t validation_messages() const;
+
+  /// The compute program of this name and specialisation, made at first use.
+  [[nodiscard]] const Program& program(const Kernel& kernel);
+
+  // For the other files of gpu/ only.
+  [[nodiscard]] VkDevice handle() const { return device_; }
+  [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
+  [[nodiscard]] VkInstance instance() const;
+  [[nodiscard]] VkQueue queue() const { return queue_; }
+  [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
+  /// The one-off copies of upload_bytes and download_bytes.
+  [[nodiscard]] Transfer& transfer() { return *transfer_; }
+  /// Labels for debuggers and validation messages; no-ops without validation.
+  void name_object(VkObjectType type, uint64_t handle, std::string_view name) const;
+  void begin_label(VkCommandBuffer commands, std::string_view name) const;
+  void end_label(VkCommandBuffer commands) const;
+  /// Allocates memory for `requirements`, or throws OutOfMemory. Only device memory counts: what is host-visible here
+  /// is for copies, small, and on most devices no device memory.
+  [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& requirements, bool host_visible, std::string_view name);
+  /// Frees it; `counted` is the size that was asked for, 0 for host-visible memory.
+  void release(VkDeviceMemory memory, uint64_t counted);
+
+ private:
+  Device();
+  void create_device();
+  void load_label_functions();
+  void account(uint64_t bytes, uint32_t heap, std::string_view name);
+  [[nodiscard]] uint32_t memory_type(uint32_t allowed, bool host_visible) const;
+
+  DeviceRequest request_;
+  DeviceInfo info_;
+  Limits limits_;
+  std::unique_ptr<Instance> instance_;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  uint32_t queue_family_ = 0;
+  VkPhysicalDeviceMemoryProperties memory_{};
+  uint64_t allocated_ = 0, peak_ = 0;
+  PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
+  PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
+  PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
+  std::unique_ptr<Transfer> transfer_;
+  std::map<std::string, std::unique_ptr<Program>> programs_;
+};
+
+/// Throws UserError with a sentence for device lost and the like; OutOfMemory for memory. `doing` is a gerund phrase.
+void check(VkResult result, const char* doing);
+
+}  // namespace crsh::gpu

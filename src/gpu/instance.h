@@ -1,0 +1,42 @@
+#pragma once
+// The Vulkan instance, its debug messages, and what its devices say of themselves.
+
+#include <vulkan/vulkan.h>
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gpu/device.h"
+
+namespace crsh::gpu {
+
+/// Owns the VkInstance; with validation also the layer and the messenger that prints and counts its messages.
+class Instance {
+ public:
+  explicit Instance(bool validation);
+  ~Instance();
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  [[nodiscard]] VkInstance handle() const { return instance_; }
+  [[nodiscard]] uint64_t messages() const { return messages_; }
+  /// In the loader's order. Throws UserError (exit 77) where there is none.
+  [[nodiscard]] std::vector<VkPhysicalDevice> devices() const;
+
+ private:
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  std::atomic<uint64_t> messages_ = 0;
+};
+
+/// What the device says of itself, with the reason why it cannot be used, if any.
+[[nodiscard]] DeviceInfo describe_device(VkPhysicalDevice physical, uint32_t index);
+[[nodiscard]] Limits device_limits(VkPhysicalDevice physical);
+/// The first family with graphics and compute, or UINT32_MAX.
+[[nodiscard]] uint32_t find_queue_family(VkPhysicalDevice physical);
+/// The index of the device that `selector` means. Throws UserError where none matches or the match is unusable.
+[[nodiscard]] uint32_t select_device(const std::vector<DeviceInfo>& devices, const std::string& selector);
+
+}  // namespace crsh::gpu

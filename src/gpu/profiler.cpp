@@ -1,0 +1,70 @@
+#include "gpu/profiler.h"
+
+namespace crsh::gpu {
+namespace {
+
+constexpr uint32_t max_timestamps = 1024;
+
+uint32_t timestamp_bits(const Device& device) {
+  uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, families.data());
+  return families[device.queue_family()].timestampValidBits;
+}
+
+}  // namespace
+
+Profiler::Profiler(Device& device) : device_(device) {
+  const uint32_t bits = timestamp_bits(device);
+  if (bits == 0) return;
+  tick_mask_ = bits >= 64 ? UINT64_MAX : (uint64_t(1) << bits) - 1;
+  VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+  info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+  info.queryCount = max_timestamps;
+  check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool_), "making a query pool");
+}
+
+Profiler::~Profiler() { vkDestroyQueryPool(device_.handle(), pool_, nullptr); }
+
+bool Profiler::full() const { return spans_.size() + 1 >= max_timestamps; }
+
+void Profiler::write_timestamp(VkCommandBuffer commands) {
+  if (pool_)
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, static_cast<uint32_t>(spans_.size()));
+  spans_.push_back(stage_);
+}
+
+void Profiler::begin(VkCommandBuffer commands) {
+  spans_.clear();
+  if (pool_) vkCmdResetQueryPool(commands, pool_, 0, max_timestamps);
+  write_timestamp(commands);
+}
+
+void Profiler::change(VkCommandBuffer commands, Stage stage) {
+  if (stage == stage_) return;
+  stage_ = stage;
+  if (commands) write_timestamp(commands);
+}
+
+void Profiler::end(VkCommandBuffer commands) { write_timestamp(commands); }
+
+void Profiler::collect() {
+  if (!pool_) return;
+  std::vector<uint64_t> ticks(spans_.size());
+  check(vkGetQueryPoolResults(device_.handle(), pool_, 0, static_cast<uint32_t>(ticks.size()), ticks.size() * sizeof(uint64_t),
+                              ticks.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "reading timestamps");
+  for (size_t i = 0; i + 1 < ticks.size(); ++i)  // each span ends where the next begins; the last timestamp is an end
+    nanoseconds_[static_cast<size_t>(spans_[i])] +=
+        static_cast<double>((ticks[i + 1] - ticks[i]) & tick_mask_) * device_.limits().nanoseconds_per_tick;
+}
+
+std::array<double, stage_count> Profiler::take_milliseconds() {
+  std::array<double, stage_count> milliseconds;
+  for (size_t i = 0; i < stage_count; ++i) milliseconds[i] = nanoseconds_[i] * 1e-6;
+  nanoseconds_.fill(0);
+  return milliseconds;
+}
+
+}  // namespace crsh::gpu

@@ -1,0 +1,100 @@
+#include "gpu/program.h"
+
+#include "assertion.h"
+#include "gpu/shader_module.h"
+
+namespace crsh::gpu {
+namespace {
+
+VkDescriptorType descriptor_type(Resource resource) {
+  return resource == Resource::storage_buffer ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+}
+
+VkDescriptorSetLayout create_set_layout(Device& device, const Reflection& reflection, VkShaderStageFlags stages) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (const Resource resource : reflection.resources)
+    bindings.push_back({static_cast<uint32_t>(bindings.size()), descriptor_type(resource), 1, stages, nullptr});
+  VkDescriptorSetLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  info.bindingCount = static_cast<uint32_t>(bindings.size());
+  info.pBindings = bindings.data();
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "making a descriptor set layout");
+  return layout;
+}
+
+/// The value a kernel gives to a specialisation constant, else the shader's own.
+uint32_t specialised(const Kernel& kernel, uint32_t constant_id, uint32_t otherwise) {
+  for (const auto& [id, value] : kernel.constants)
+    if (id == constant_id) return value;
+  return otherwise;
+}
+
+uint32_t count_group(const Kernel& kernel, const Reflection& reflection) {
+  uint32_t size = 1;
+  for (int i = 0; i < 3; ++i) size *= specialised(kernel, reflection.local_size_id[i], reflection.local_size[i]);
+  return size;
+}
+
+}  // namespace
+
+ShaderModule::ShaderModule(Device& device, std::string_view file) : device_(device) {
+  const std::span<const uint32_t> spirv = embedded_spirv(file);
+  VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  info.codeSize = spirv.size_bytes();
+  info.pCode = spirv.data();
+  check(vkCreateShaderModule(device.handle(), &info, nullptr, &module_), "loading a shader");
+}
+
+ShaderModule::~ShaderModule() { vkDestroyShaderModule(device_.handle(), module_, nullptr); }
+
+VkPipelineShaderStageCreateInfo ShaderModule::stage(VkShaderStageFlagBits stage) const {
+  VkPipelineShaderStageCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+  info.stage = stage;
+  info.module = module_;
+  info.pName = "main";
+  return info;
+}
+
+PipelineLayout::PipelineLayout(Device& device, const Reflection& reflection, VkShaderStageFlags stages)
+    : device_(device), stages_(stages), set_(create_set_layout(device, reflection, stages)) {
+  const VkPushConstantRange range{stages, 0, reflection.push_bytes};
+  VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &set_;
+  info.pushConstantRangeCount = reflection.push_bytes ? 1 : 0;
+  info.pPushConstantRanges = &range;
+  check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout_), "making a pipeline layout");
+}
+
+PipelineLayout::~PipelineLayout() {
+  vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
+  vkDestroyDescriptorSetLayout(device_.handle(), set_, nullptr);
+}
+
+Program::Program(Device& device, const Kernel& kernel)
+    : device_(device),
+      name_(kernel.path),
+      reflection_(reflect(embedded_spirv(kernel.path + ".comp"))),
+      group_size_(count_group(kernel, reflection_)),
+      layout_(device, reflection_, VK_SHADER_STAGE_COMPUTE_BIT) {
+  std::vector<VkSpecializationMapEntry> entries;
+  std::vector<uint32_t> values;
+  for (const auto& [id, value] : kernel.constants) {
+    entries.push_back({id, static_cast<uint32_t>(values.size() * sizeof(uint32_t)), sizeof(uint32_t)});
+    values.push_back(value);
+  }
+  const VkSpecializationInfo constants{static_cast<uint32_t>(entries.size()), entries.data(),
+                                       values.size() * sizeof(uint32_t), values.data()};
+  const ShaderModule module(device, kernel.path + ".comp");
+  VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
+  info.stage.pSpecializationInfo = &constants;
+  info.layout = layout_.handle();
+  const std::string doing = "compiling " + name_;
+  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_), doing.c_str());
+  device.name_object(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline_), name_);
+}
+
+Program::~Program() { vkDestroyPipeline(device_.handle(), pipeline_, nullptr); }
+
+}  // namespace crsh::gpu

@@ -1,0 +1,192 @@
+// The small part of SPIR-V reflection that dispatches need: set 0, the push block's size, the workgroup's size.
+
+#include <spirv/unified1/spirv.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "assertion.h"
+#include "gpu/program.h"
+
+namespace crsh::gpu {
+namespace {
+
+constexpr size_t header_words = 5;
+constexpr uint32_t max_push_bytes = 128;  // what every device allows
+
+/// One type, constant or variable: its opcode and operands (words behind the opcode, the result id left in).
+struct Definition {
+  SpvOp op = SpvOpNop;
+  std::span<const uint32_t> operands;
+};
+
+struct MemberLayout {
+  uint32_t offset = 0, matrix_stride = 0;
+};
+
+/// A parsed module: definitions and decorations by id.
+struct Module {
+  std::map<uint32_t, Definition> definitions;
+  std::vector<uint32_t> variables;
+  std::map<uint32_t, uint32_t> binding, set, array_stride, spec_id;
+  std::map<uint32_t, bool> buffer_block;
+  std::map<uint32_t, std::vector<MemberLayout>> members;
+  std::array<uint32_t, 3> local_size = {1, 1, 1};
+  uint32_t workgroup_size = 0;  ///< id of the constant that replaces local_size, if any
+
+  [[nodiscard]] const Definition& at(uint32_t id) const { return definitions.at(id); }
+};
+
+void decorate(Module& module, std::span<const uint32_t> operands) {
+  const uint32_t id = operands[0];
+  switch (operands[1]) {
+    case SpvDecorationBinding: module.binding[id] = operands[2]; break;
+    case SpvDecorationDescriptorSet: module.set[id] = operands[2]; break;
+    case SpvDecorationArrayStride: module.array_stride[id] = operands[2]; break;
+    case SpvDecorationSpecId: module.spec_id[id] = operands[2]; break;
+    case SpvDecorationBufferBlock: module.buffer_block[id] = true; break;
+    case SpvDecorationBuiltIn:
+      if (operands[2] == SpvBuiltInWorkgroupSize) module.workgroup_size = id;
+      break;
+    default: break;
+  }
+}
+
+void decorate_member(Module& module, std::span<const uint32_t> operands) {
+  std::vector<MemberLayout>& members = module.members[operands[0]];
+  members.resize(std::max<size_t>(members.size(), operands[1] + 1));
+  if (operands[2] == SpvDecorationOffset) members[operands[1]].offset = operands[3];
+  if (operands[2] == SpvDecorationMatrixStride) members[operands[1]].matrix_stride = operands[3];
+}
+
+/// Where an instruction that makes a definition has its result id among its operands.
+size_t result_place(SpvOp op) {
+  switch (op) {
+    case SpvOpTypeInt: case SpvOpTypeFloat: case SpvOpTypeBool: case SpvOpTypeVector: case SpvOpTypeMatrix:
+    case SpvOpTypeArray: case SpvOpTypeRuntimeArray: case SpvOpTypeStruct: case SpvOpTypePointer: case SpvOpTypeImage:
+      return 0;
+    case SpvOpConstant: case SpvOpSpecConstant: case SpvOpConstantComposite: case SpvOpSpecConstantComposite:
+    case SpvOpVariable:
+      return 1;
+    default:
+      return SIZE_MAX;
+  }
+}
+
+void take(Module& module, SpvOp op, std::span<const uint32_t> operands) {
+  if (op == SpvOpDecorate) decorate(module, operands);
+  if (op == SpvOpMemberDecorate) decorate_member(module, operands);
+  if (op == SpvOpExecutionMode && operands[1] == SpvExecutionModeLocalSize)
+    std::copy_n(operands.begin() + 2, 3, module.local_size.begin());
+  CRSH_ASSERT(op != SpvOpExecutionModeId, "LocalSizeId needs maintenance4: compile for SPIR-V 1.5");
+  const size_t place = result_place(op);
+  if (place == SIZE_MAX) return;
+  module.definitions[operands[place]] = {op, operands};
+  if (op == SpvOpVariable) module.variables.push_back(operands[1]);
+}
+
+Module parse(std::span<const uint32_t> spirv) {
+  CRSH_ASSERT(spirv.size() > header_words && spirv[0] == SpvMagicNumber, "that is no SPIR-V");
+  Module module;
+  for (size_t at = header_words; at < spirv.size();) {
+    const size_t words = spirv[at] >> SpvWordCountShift;
+    CRSH_ASSERT(words > 0 && at + words <= spirv.size(), "broken SPIR-V");
+    const auto op = static_cast<SpvOp>(spirv[at] & SpvOpCodeMask);
+    if (op == SpvOpFunction) break;  // all definitions come before
+    take(module, op, spirv.subspan(at + 1, words - 1));
+    at += words;
+  }
+  return module;
+}
+
+uint32_t constant(const Module& module, uint32_t id) {
+  const Definition& definition = module.at(id);
+  CRSH_ASSERT(definition.op == SpvOpConstant || definition.op == SpvOpSpecConstant, "not a scalar constant");
+  return definition.operands[2];
+}
+
+uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout);
+
+uint32_t struct_size(const Module& module, uint32_t type) {
+  const auto members = module.at(type).operands.subspan(1);
+  uint32_t end = 0;
+  for (size_t i = 0; i < members.size(); ++i) {
+    const MemberLayout& layout = module.members.at(type)[i];
+    end = std::max(end, layout.offset + size_of(module, members[i], layout));
+  }
+  return end;
+}
+
+/// Bytes of a type inside a block; `layout` is that of the member, for matrices.
+uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout) {
+  const Definition& definition = module.at(type);
+  const auto operands = definition.operands;
+  switch (definition.op) {
+    case SpvOpTypeInt: case SpvOpTypeFloat: return operands[1] / 8;
+    case SpvOpTypeVector: return operands[2] * size_of(module, operands[1], layout);
+    case SpvOpTypeMatrix: return operands[2] * layout.matrix_stride;
+    case SpvOpTypeArray: return constant(module, operands[2]) * module.array_stride.at(type);
+    case SpvOpTypeStruct: return struct_size(module, type);
+    default: CRSH_ASSERT(false, "a push constant of an unexpected type"); return 0;
+  }
+}
+
+/// The kind of resource a variable is, or none for inputs, outputs and the like.
+std::optional<Resource> resource_of(const Module& module, SpvStorageClass storage, uint32_t pointee) {
+  if (storage == SpvStorageClassStorageBuffer) return Resource::storage_buffer;
+  if (storage == SpvStorageClassUniform) {
+    CRSH_ASSERT(module.buffer_block.contains(pointee), "uniform buffers are not supported: use a push constant or a buffer");
+    return Resource::storage_buffer;
+  }
+  if (storage != SpvStorageClassUniformConstant) return std::nullopt;
+  const Definition& type = module.at(pointee);
+  CRSH_ASSERT(type.op == SpvOpTypeImage && type.operands[6] == 2, "of images, only single storage images are supported");
+  return Resource::storage_image;
+}
+
+void add_variable(const Module& module, uint32_t id, std::map<uint32_t, Resource>& resources, uint32_t& push_bytes) {
+  const auto operands = module.at(id).operands;  // pointer type, id, storage class
+  const auto storage = static_cast<SpvStorageClass>(operands[2]);
+  const uint32_t pointee = module.at(operands[0]).operands[2];
+  if (storage == SpvStorageClassPushConstant) push_bytes = std::max(push_bytes, struct_size(module, pointee));
+  const std::optional<Resource> resource = resource_of(module, storage, pointee);
+  if (!resource) return;
+  CRSH_ASSERT(module.set.at(id) == 0, "only descriptor set 0 is supported");
+  const auto [known, added] = resources.try_emplace(module.binding.at(id), *resource);
+  CRSH_ASSERT(known->second == *resource, "one binding is both a buffer and an image");
+}
+
+void set_local_size(const Module& module, Reflection& reflection) {
+  std::copy_n(module.local_size.begin(), 3, reflection.local_size);
+  if (!module.workgroup_size) return;
+  const auto parts = module.at(module.workgroup_size).operands.subspan(2);  // behind the type and the id
+  for (size_t i = 0; i < 3; ++i) {
+    reflection.local_size[i] = constant(module, parts[i]);
+    const auto id = module.spec_id.find(parts[i]);
+    if (id != module.spec_id.end()) reflection.local_size_id[i] = id->second;
+  }
+}
+
+}  // namespace
+
+Reflection reflect(std::span<const uint32_t> spirv) { return reflect_together({&spirv, 1}); }
+
+Reflection reflect_together(std::span<const std::span<const uint32_t>> modules) {
+  Reflection reflection;
+  std::map<uint32_t, Resource> resources;
+  for (const std::span<const uint32_t>& spirv : modules) {
+    const Module module = parse(spirv);
+    for (const uint32_t id : module.variables) add_variable(module, id, resources, reflection.push_bytes);
+    set_local_size(module, reflection);
+  }
+  for (const auto& [binding, resource] : resources) {
+    CRSH_ASSERT(binding == reflection.resources.size(), "bindings must count from 0 without gaps");
+    reflection.resources.push_back(resource);
+  }
+  CRSH_ASSERT(reflection.push_bytes <= max_push_bytes, "a push block of more than 128 bytes");
+  return reflection;
+}
+
+}  // namespace crsh::gpu

@@ -1,0 +1,53 @@
+#pragma once
+// Section 3.2.4: nodes of sphere and cone over the sorted rays, level by level from below.
+
+#include <cstdint>
+#include <vector>
+
+#include "frame/options.h"
+#include "gpu/buffer.h"
+#include "gpu/recorder.h"
+#include "rays/batch.h"
+
+namespace crsh::hierarchy {
+
+/// Nodes of one segment on one level.
+struct Range {
+  uint32_t first = 0, count = 0;
+  [[nodiscard]] uint32_t end() const { return first + count; }
+};
+
+/// One level of nodes; level 1 stands on the rays.
+struct Level {
+  gpu::Buffer nodes;        ///< shared::Node
+  gpu::Buffer intervals;    ///< shared::Interval
+  gpu::Buffer children;     ///< uvec2 a node: [first, end) nodes or rays of the level below
+  gpu::Buffer rays;         ///< uvec2 a node: [first, end) sorted positions of its rays
+  gpu::Buffer parents;      ///< uint a child of the level below: its node here
+  uint32_t count = 0;
+  std::vector<Range> segments;        ///< nodes by segment of the batch
+  std::vector<Range> child_segments;  ///< their children by segment, on the level below
+  uint32_t most_children = 0;         ///< of a node
+
+  /// The children, on the level below, of a run of nodes.
+  [[nodiscard]] Range children_of(Range nodes) const;
+};
+
+/// Buffers are kept between batches and frames and grow when they must.
+struct Hierarchy {
+  std::vector<Level> levels;  ///< levels[0] is level 1
+  uint32_t depth = 0;         ///< levels in use
+  uint32_t rays = 0;
+};
+
+struct In {
+  const gpu::Buffer& sorted_rays;  ///< shared::Ray a ray, in sorted order
+  const std::vector<rays::Segment>& segments;
+  const AlgorithmOptions& options;
+  bool narrow_cones = false;  ///< test-only mutation
+};
+
+/// Builds up to max(options.levels) levels; segments whose kind wants fewer have no nodes above. Records, may submit.
+void build(gpu::Recorder& recorder, const In& in, Hierarchy& out);
+
+}  // namespace crsh::hierarchy

@@ -1,0 +1,72 @@
+#include "intersection/intersection.h"
+
+#include <algorithm>
+
+#include "shared/counters.h"
+#include "shared/limits.h"
+
+namespace crsh::intersection {
+
+void clear(gpu::Recorder& recorder, const rays::Batch& batch, const gpu::Buffer& hits) {
+  recorder.stage(gpu::Stage::final_intersection);
+  recorder.dispatch("intersection/clear", batch.count, batch.count, {batch.rays, hits});
+}
+
+void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy& hierarchy,
+               const gpu::Buffer& sorted_rays, const gpu::Buffer& order, const traversal::Candidates& candidates) {
+  recorder.stage(gpu::Stage::final_intersection);
+  const hierarchy::Level& level = hierarchy.levels.front();
+  const hierarchy::Range rays =
+      level.children_of({candidates.first_node, candidates.end_node - candidates.first_node});
+  const struct {
+    uint32_t first_ray, ray_count, first_node, first_base, pairs_before, tests_counter;
+  } push{rays.first,
+         rays.count,
+         candidates.first_node,
+         candidates.first_base,
+         candidates.pairs_before,
+         in.counter_row + shared::counter_triangle_tests};
+  recorder.dispatch("intersection/candidates", rays.count, push,
+                    {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits, sorted_rays,
+                     order, level.parents, candidates.bases, candidates.pairs, in.counters},
+                    candidates.count * level.most_children);
+  recorder.submit_past(in.submit_work);
+  recorder.stage(gpu::Stage::hierarchy_traversal);
+}
+
+void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& segment) {
+  recorder.stage(gpu::Stage::final_intersection);
+  const uint32_t triangles = in.scene.triangle_count;
+  const uint32_t batch = static_cast<uint32_t>(
+      std::clamp<uint64_t>(in.submit_work / 64, 256, shared::max_batch_triangles));
+  const uint32_t tile = static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / batch, 1, segment.count));
+  for (uint32_t first = 0; first < triangles; first += batch)
+    for (uint32_t ray = 0; ray < segment.count; ray += tile) {
+      const struct {
+        uint32_t first_ray, ray_count, first_triangle, triangle_count, tests_counter;
+      } push{segment.first + ray, std::min(tile, segment.count - ray), first, std::min(batch, triangles - first),
+             in.counter_row + shared::counter_triangle_tests};
+      recorder.dispatch("intersection/brute", push.ray_count, push,
+                        {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits,
+                         in.batch.rays, in.counters},
+                        uint64_t(push.ray_count) * push.triangle_count);
+      recorder.submit_past(in.submit_work);
+    }
+}
+
+void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, const gpu::Buffer& pixels,
+            const gpu::Buffer& paths) {
+  const struct {
+    uint32_t first_ray, ray_count, surfaces, kind, light, hits_counter, digest_counter;
+  } push{segment.first,
+         segment.count,
+         in.batch.surfaces,
+         segment.kind,
+         segment.light,
+         in.counter_row + shared::counter_ray_hits,
+         in.counter_row + shared::counter_digest};
+  recorder.dispatch("intersection/digest", segment.count, push,
+                    {in.batch.slots, in.hits, pixels, paths, in.counters});
+}
+
+}  // namespace crsh::intersection

@@ -1,0 +1,39 @@
+#pragma once
+// Section 3.2.6: exact tests of rays against candidate triangles, or against all.
+
+#include <cstdint>
+
+#include "gpu/buffer.h"
+#include "gpu/recorder.h"
+#include "hierarchy/hierarchy.h"
+#include "rays/batch.h"
+#include "scene/upload.h"
+#include "traversal/traversal.h"
+
+namespace crsh::intersection {
+
+struct In {
+  const scene::GpuScene& scene;
+  const rays::Batch& batch;
+  const gpu::Buffer& hits;      ///< shared::Hit a ray, in creation order
+  const gpu::Buffer& counters;  ///< uvec2, 64 bits each
+  uint32_t counter_row = 0;     ///< first counter of this bounce and kind
+  uint64_t submit_work = 0;     ///< tests a submit
+};
+
+/// No ray has hit anything yet.
+void clear(gpu::Recorder& recorder, const rays::Batch& batch, const gpu::Buffer& hits);
+
+/// The rays of the candidates' nodes against the candidates' triangles; `sorted_rays` and `order` by sorted position.
+void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy& hierarchy,
+               const gpu::Buffer& sorted_rays, const gpu::Buffer& order, const traversal::Candidates& candidates);
+
+/// The rays of one segment against every triangle of the scene.
+void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& segment);
+
+/// Adds a segment's hits and digest to its counters (crsh-stats: hits, hits_digest). `pixels` and `paths` are the
+/// surfaces' diffuse and specular buffers, whose w name a ray's pixel and path.
+void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, const gpu::Buffer& pixels,
+            const gpu::Buffer& paths);
+
+}  // namespace crsh::intersection

@@ -1,0 +1,34 @@
+#pragma once
+// `--stats`: schema crsh-stats/1.
+
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "frame/statistics.h"
+#include "gpu/device.h"
+
+namespace crsh::output {
+
+/// What the counters do not say themselves.
+struct RunDescription {
+  std::vector<std::string> command;  ///< as it was given
+  nlohmann::ordered_json options;    ///< every effective value, by the option's name
+  gpu::DeviceInfo device;
+  std::string scene;                 ///< path
+  glm::mat4 world_to_camera{1}, world_to_ndc{1};  ///< of the last frame, as in the EXR
+  uint32_t width = 0, height = 0, samples = 1;
+  std::string algorithm;
+};
+
+/// Counters are exact 64-bit integers, hits_digest 16 hex digits.
+[[nodiscard]] nlohmann::ordered_json stats_json(const RunDescription& run, const Statistics& statistics);
+
+/// A device as the statistics and `crsh info --json` describe it.
+[[nodiscard]] nlohmann::ordered_json device_json(const gpu::DeviceInfo& device);
+
+/// The text of `json`, with its last newline. Bytes that are not UTF-8 (in file names) are replaced.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& json);
+
+}  // namespace crsh::output

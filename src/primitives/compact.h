@@ -1,0 +1,24 @@
+#pragma once
+// The indices of the elements that are flagged.
+
+#include <cstdint>
+
+#include "primitives/scan.h"
+
+namespace crsh::primitives {
+
+/// What a compaction needs besides its arrays, kept between calls.
+struct CompactScratch {
+  gpu::Buffer counts;  ///< set flags a run, then scanned
+  ScanScratch scan;
+};
+
+/// Writes the indices of all set flags, in rising order, to `indices`, which grows to hold them, and returns their
+/// number (so it submits, and waits). `flags` holds 0 or 1 a uint, for n <= 2^25, in quad_bytes(n) bytes at least;
+/// where n is no multiple of 4, the words up to the next one are set to 0. (Section 3.2.3: chunk bases.)
+[[nodiscard]] uint32_t compact(gpu::Recorder& recorder, CompactScratch& scratch, const gpu::Buffer& flags, uint32_t n,
+                               gpu::Buffer& indices);
+[[nodiscard]] uint32_t compact(gpu::Recorder& recorder, CompactScratch& scratch, const gpu::Buffer& flags, uint32_t n,
+                               gpu::Buffer& indices, ScanShape shape);
+
+}  // namespace crsh::primitives

@@ -1,0 +1,43 @@
+#pragma once
+// A stable least-significant-digit radix sort of 32-bit keys with 32-bit values. Every lane walks a run of pairs of its
+// own serially with its own column of the histogram: right on any subgroup size, without spin-waits.
+
+#include <cstdint>
+#include <optional>
+
+#include "primitives/scan.h"
+
+namespace crsh::primitives {
+
+/// How a sort is cut up. Software devices like few lanes and wide digits, GPUs the opposite.
+struct SortShape {
+  uint32_t digit_bits = 0;  ///< at most so many a pass; 1 to 11
+  uint32_t run = 0;         ///< pairs that one lane walks; at most 32,768
+  uint32_t group = 0;       ///< lanes of a workgroup
+};
+[[nodiscard]] SortShape sort_shape(const gpu::Device& device, uint32_t n);
+
+struct SortOptions {
+  std::optional<SortShape> shape;  ///< none: sort_shape()
+  bool unstable = false;           ///< test-only fault: equal keys change their order
+};
+
+/// What a sort needs besides its pairs, kept between calls.
+struct SortScratch {
+  gpu::Buffer pairs;      ///< the other half of the ping-pong
+  gpu::Buffer histogram;  ///< a column a lane
+  ScanScratch scan;
+};
+
+/// Sorts `n` pairs, uvec2 (key, value), by the lowest `key_bits` (0 to 32) bits of their keys; the other bits must be 0
+/// for the result to be sorted by whole keys. Pairs with equal keys keep their order. `pairs` holds the result: it may
+/// have changed places with the scratch buffer, so handles taken before are stale. n pairs must fit one binding.
+/// (Section 3.2.3: radix sort.)
+void sort_pairs(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,
+                const SortOptions& options = {});
+
+/// The same, but only the values are wanted: `values`, uint, grows to hold them, and `pairs` is left in any state.
+void sort_values(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,
+                 gpu::Buffer& values, const SortOptions& options = {});
+
+}  // namespace crsh::primitives

@@ -1,0 +1,105 @@
+#include "rays/hash.h"
+
+#include <spirv/unified1/spirv.h>
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <span>
+
+#include "assertion.h"
+#include "primitives/grow.h"
+
+namespace crsh::rays {
+namespace {
+
+constexpr std::string_view prefix = "rays/hash@", suffix = ".comp";
+
+/// As hash.comp declares it.
+struct Push {
+  glm::vec3 scene_low;
+  uint32_t first;
+  glm::vec3 scene_inverse_extent;
+  uint32_t count, segment, kind;
+};
+
+std::string kernel_of(std::string_view key) { return std::string(prefix) + std::string(key.empty() ? "creation" : key); }
+
+/// The default value of the specialisation constant with this constant_id.
+uint32_t specialisation_default(std::span<const uint32_t> spirv, uint32_t constant_id) {
+  uint32_t target = 0;
+  constexpr size_t header_words = 5;
+  for (size_t at = header_words; at < spirv.size(); at += spirv[at] >> SpvWordCountShift) {
+    const uint32_t op = spirv[at] & SpvOpCodeMask;
+    if (op == SpvOpDecorate && spirv[at + 2] == SpvDecorationSpecId && spirv[at + 3] == constant_id) target = spirv[at + 1];
+    if (op == SpvOpSpecConstant && spirv[at + 2] == target) return spirv[at + 3];
+  }
+  CRSH_ASSERT(false, "a sort key without its number of bits");
+  return 0;
+}
+
+/// The widest hash of the batch's rays.
+uint32_t widest_hash(const Batch& batch, const Keys& keys) {
+  uint32_t bits = 0;
+  for (const Segment& segment : batch.segments)
+    if (segment.count > 0) bits = std::max(bits, hash_bits(keys[segment.kind], segment.kind));
+  return bits;
+}
+
+/// Every pass over the batch relies on this: a segment keeps its place when its rays are sorted.
+void require_rising(const std::vector<Segment>& segments) {
+  for (size_t i = 1; i < segments.size(); ++i) {
+    const Segment &before = segments[i - 1], &after = segments[i];
+    CRSH_ASSERT(std::pair(before.kind, before.light) <= std::pair(after.kind, after.light), "segments out of order");
+    CRSH_ASSERT(before.first + before.count == after.first, "segments with gaps");
+  }
+}
+
+/// Where the scene's bounds begin and one over their extent, for what has one.
+Push push_of(const scene::Bounds& bounds) {
+  Push push{};
+  if (bounds.empty()) return push;
+  push.scene_low = bounds.low;
+  const glm::vec3 extent = bounds.high - bounds.low;
+  for (int axis = 0; axis < 3; ++axis) push.scene_inverse_extent[axis] = extent[axis] > 0 ? 1 / extent[axis] : 0;
+  return push;
+}
+
+}  // namespace
+
+std::vector<std::string> key_names() {
+  std::vector<std::string> names;
+  for (std::string_view file : gpu::embedded_files())
+    if (file.starts_with(prefix)) names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
+  return names;
+}
+
+uint32_t hash_bits(std::string_view key, uint32_t kind) {
+  const std::string file = kernel_of(key) + std::string(suffix);
+  static std::map<std::string, std::array<uint32_t, 2>> known;
+  const auto [entry, added] = known.try_emplace(file);
+  if (added)
+    for (uint32_t id : {0u, 1u}) entry->second[id] = specialisation_default(gpu::embedded_spirv(file), id);
+  return entry->second[kind == shared::kind_shadow ? 0 : 1];
+}
+
+bool any_sorted(const Batch& batch, const Keys& keys) { return widest_hash(batch, keys) > 0; }
+
+uint32_t hash(gpu::Recorder& recorder, const Batch& batch, const Keys& keys, const scene::Bounds& bounds,
+              gpu::Buffer& pairs) {
+  require_rising(batch.segments);
+  primitives::grow(recorder, pairs, uint64_t(batch.count) * 8, "rays.pairs");
+  const uint32_t bits = widest_hash(batch, keys);
+  const uint32_t segment_bits = batch.segments.empty() ? 0 : std::bit_width(batch.segments.size() - 1);
+  CRSH_ASSERT(bits + segment_bits <= 32, "keys of more than 32 bits");
+  Push push = push_of(bounds);
+  for (uint32_t i = 0; i < batch.segments.size(); ++i) {
+    const Segment& segment = batch.segments[i];
+    push.first = segment.first, push.count = segment.count, push.kind = segment.kind;
+    push.segment = bits < 32 ? i << bits : 0;
+    recorder.dispatch(kernel_of(keys[segment.kind]), segment.count, push, {batch.rays, pairs}, segment.count);
+  }
+  return bits + segment_bits;
+}
+
+}  // namespace crsh::rays

@@ -1,0 +1,166 @@
+#pragma once
+// A scene in memory, as loaded: meshes, instances, materials, lights, cameras and their animation.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crsh::scene {
+
+/// Centre and radius in metres.
+struct Sphere {
+  glm::vec3 centre{0};
+  float radius = 0;
+};
+
+struct Bounds {
+  glm::vec3 low{std::numeric_limits<float>::infinity()};
+  glm::vec3 high{-std::numeric_limits<float>::infinity()};
+  [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+};
+
+/// Eight bits a channel, RGBA, rows from the top.
+struct Image {
+  uint32_t width = 0, height = 0;
+  std::vector<uint8_t> rgba;
+};
+
+enum class Wrap : uint32_t { repeat = 0, clamp = 1, mirror = 2 };
+
+struct Texture {
+  uint32_t image = 0;
+  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+  bool nearest = false;
+};
+
+/// Which texture, seen through which set of coordinates.
+struct TextureUse {
+  std::optional<uint32_t> texture;
+  uint32_t texcoord = 0;  ///< 0 or 1
+};
+
+struct Material {
+  std::string name;
+  glm::vec4 base_colour{1};
+  glm::vec3 emissive{0};  ///< factor times KHR_materials_emissive_strength
+  float metallic = 1, roughness = 1;
+  float transmission = 0, ior = 1.5f, thickness = 0;
+  bool double_sided = false;
+  TextureUse base_colour_texture, metallic_roughness_texture, emissive_texture, transmission_texture;
+};
+
+/// A glTF mesh: all its triangle primitives together. Attributes run parallel to `positions`; every one is filled.
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit, or zero: flat shading (the file has none)
+  std::vector<glm::vec2> uv0, uv1;
+  std::vector<uint32_t> colours;   ///< RGBA8, 0xFFFFFFFF where the file has none
+  std::vector<glm::uvec3> triangles;
+  std::vector<uint32_t> materials; ///< a triangle: index into Scene::materials
+  Sphere sphere;                   ///< smallest enclosing sphere of the corners (Gärtner 1999)
+  /// Radii about sphere.centre that also hold every triangle's own smallest sphere: after a similarity, and after
+  /// any affine map (scaled by its largest stretch). Culling uses these, so that it agrees with the definition of a hit.
+  float cover_similar = 0, cover_affine = 0;
+};
+
+struct Transform {
+  glm::vec3 translation{0};
+  glm::quat rotation{1, 0, 0, 0};
+  glm::vec3 scale{1};
+};
+
+struct Node {
+  std::string name;
+  std::optional<uint32_t> parent;
+  Transform transform;
+  std::optional<glm::mat4> matrix;  ///< stands in place of `transform`
+};
+
+struct Instance {
+  uint32_t mesh = 0, node = 0;
+};
+
+enum class LightType : uint32_t { point = 0, spot = 1, directional = 2 };
+
+/// KHR_lights_punctual. Intensity: candela (point, spot) or lux (directional).
+struct Light {
+  std::string name;
+  LightType type = LightType::point;
+  glm::vec3 colour{1};
+  float intensity = 1;
+  float range = std::numeric_limits<float>::infinity();
+  float inner_cone = 0, outer_cone = 0.7853981634f;  ///< radians
+  uint32_t node = 0;
+};
+
+struct Camera {
+  std::string name;
+  bool orthographic = false;
+  float yfov = 0.7853981634f;         ///< radians, vertical
+  float xmag = 1, ymag = 1;           ///< orthographic half extents, metres
+  std::optional<float> aspect;        ///< width / height
+  float near_plane = 0.01f;           ///< metres
+  uint32_t node = 0;
+};
+
+enum class Interpolation { step, linear, cubic_spline };
+enum class Path { translation, rotation, scale };
+
+struct Channel {
+  uint32_t node = 0;
+  Path path = Path::translation;
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times;            ///< seconds, rising
+  std::vector<glm::vec4> values;       ///< one a time, or three (in-tangent, value, out-tangent) for cubic_spline
+};
+
+struct Animation {
+  std::string name;
+  std::vector<Channel> channels;
+  float duration = 0;  ///< seconds
+};
+
+/// What one frame of the scene looks like: world transforms of instances, lights and cameras, in the order of the lists.
+struct Pose {
+  std::vector<glm::mat4> instances, lights, cameras;
+};
+
+struct Scene {
+  std::filesystem::path path;
+  std::string name;                    ///< of the chosen glTF scene
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Material> materials;     ///< the last one is glTF's default material
+  std::vector<Texture> textures;
+  std::vector<Image> images;
+  std::vector<Node> nodes;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  std::vector<Animation> animations;
+  std::vector<std::string> unsupported;  ///< what the file asks for and crsh does not do, a short clause each
+  std::vector<std::string> scene_names;  ///< of all glTF scenes in the file
+
+  /// Drawn triangles, instances expanded.
+  [[nodiscard]] uint64_t triangle_count() const;
+  /// World transforms at `seconds` of animation `animation` (none: the nodes as they stand).
+  [[nodiscard]] Pose pose(double seconds, std::optional<uint32_t> animation) const;
+  /// World bounds of all drawn geometry in this pose (empty for an empty scene).
+  [[nodiscard]] Bounds bounds(const Pose& pose) const;
+};
+
+/// Loads .gltf or .glb. `which`: index or name of the glTF scene, empty: the file's default scene, else the first.
+/// Throws UserError (one line: file, reason, mend) for anything broken; what is merely unsupported goes to `unsupported`.
+[[nodiscard]] Scene load(const std::filesystem::path& path, const std::string& which = {});
+
+/// The object's sphere after `transform` (section 3.2.1): centre moved, radius times the largest stretch, rounded
+/// outwards; `cover_similar` where the transform is a similarity, else `cover_affine`.
+[[nodiscard]] Sphere transformed_sphere(const Mesh& mesh, const glm::mat4& transform);
+
+}  // namespace crsh::scene

@@ -1,0 +1,226 @@
+#include "traversal/traversal.h"
+
+#include <algorithm>
+
+#include "primitives/grow.h"
+#include "shared/counters.h"
+#include "shared/limits.h"
+#include "shared/node.h"
+
+namespace crsh::traversal {
+namespace {
+
+using hierarchy::Level;
+using hierarchy::Range;
+using primitives::grow;
+using primitives::quad_bytes;
+
+/// Children to test or to emit, as shaders/traversal/descend.glsl has them.
+struct Portion {
+  uint32_t first_child, child_count, first_parent, first_base, pairs_before, arity;
+};
+
+/// Bases of the pairs of consecutive nodes, on the host: where a list is cut into portions.
+struct Bases {
+  uint32_t first_node = 0;
+  std::vector<uint32_t> values;  ///< with sentinel
+  [[nodiscard]] uint32_t of(uint32_t node) const { return values[node - first_node]; }
+  [[nodiscard]] uint32_t end() const { return first_node + static_cast<uint32_t>(values.size()) - 1; }
+};
+
+/// Blocks of triangles of one batch.
+struct BlockRange {
+  uint32_t first = 0, count = 0;
+};
+
+/// One walk down the tree. Level indices count from 0 (level 1 of the paper).
+class Descent {
+ public:
+  Descent(gpu::Recorder& recorder, const In& in, Scratch& scratch,
+          const std::function<void(const Candidates&)>& intersect)
+      : recorder_(recorder), device_(recorder.device()), in_(in), scratch_(scratch), intersect_(intersect) {}
+
+  void run(uint32_t depth, Range nodes) {
+    if (scratch_.levels.size() < depth) scratch_.levels.resize(depth);
+    top_ = depth - 1;
+    const uint32_t blocks = blocks_a_batch();
+    const uint32_t tile = std::max<uint32_t>(1, in_.submit_work / (uint64_t(blocks) * shared::block_triangles));
+    for (uint32_t first = nodes.first; first < nodes.end(); first += tile) {
+      const Range tile_nodes{first, std::min(tile, nodes.end() - first)};
+      cull_meshes(tile_nodes);
+      for (uint32_t block = 0; block < in_.scene.block_count; block += blocks)
+        test_top(tile_nodes, {block, std::min(blocks, in_.scene.block_count - block)});
+    }
+  }
+
+ private:
+  /// A lane walks one node's list of a batch, so a batch bounds every loop; small submits want small batches.
+  [[nodiscard]] uint32_t blocks_a_batch() const {
+    const uint64_t blocks = in_.submit_work / (shared::block_triangles * 64);
+    return static_cast<uint32_t>(std::clamp<uint64_t>(blocks, 8, shared::max_batch_triangles / shared::block_triangles));
+  }
+
+  [[nodiscard]] const Level& level(uint32_t index) const { return in_.hierarchy.levels[index]; }
+  [[nodiscard]] uint32_t counter(uint32_t which) const { return in_.counter_row + which; }
+  [[nodiscard]] std::string bound(const char* kernel) const { return std::string(kernel) + "@" + in_.options.bound; }
+  [[nodiscard]] uint32_t words() const {
+    return in_.options.mesh_culling ? (in_.scene.instance_count + 31) / 32 : 0;
+  }
+
+  void cull_meshes(Range nodes) {
+    const uint64_t count = uint64_t(nodes.count) * words();
+    grow(recorder_, scratch_.mesh_hits, std::max<uint64_t>(count, 1) * sizeof(uint32_t), "mesh hits");
+    const struct {
+      uint32_t first_node, node_count, object_count, use_interval, counter;
+    } push{nodes.first, nodes.count, in_.scene.instance_count, in_.options.interval,
+           counter(shared::counter_mesh_tests)};
+    recorder_.dispatch(bound("traversal/mesh_spheres"), count, push,
+                       {level(top_).nodes, level(top_).intervals, in_.scene.object_spheres, scratch_.mesh_hits,
+                        in_.counters},
+                       count * 32);
+    recorder_.submit_past(in_.submit_work);
+  }
+
+  void test_top(Range nodes, BlockRange blocks) {
+    LevelScratch& lists = scratch_.levels[top_];
+    const uint64_t masks = uint64_t(nodes.count) * blocks.count;
+    grow(recorder_, lists.masks, masks * sizeof(uint32_t), "top level masks");
+    grow(recorder_, lists.counts, quad_bytes(masks + 1), "top level counts");
+    grow(recorder_, lists.bases, (nodes.count + 1) * sizeof(uint32_t), "pair bases");
+    const struct {
+      uint32_t first_node, node_count, first_block, block_count, words, first_mesh_hits, use_interval, tests, hits;
+    } push{nodes.first, nodes.count,          blocks.first,
+           blocks.count, words(),             0,
+           in_.options.interval, counter(shared::counter_level_tests + top_), counter(shared::counter_level_hits + top_)};
+    recorder_.dispatch(bound("traversal/top"), masks, push,
+                       {level(top_).nodes, level(top_).intervals, in_.scene.blocks, in_.scene.triangle_spheres,
+                        scratch_.mesh_hits, lists.masks, lists.counts, in_.counters},
+                       masks * shared::block_triangles);
+    primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanKind::exclusive);
+    const struct {
+      uint32_t count, stride;
+    } bases_push{nodes.count + 1, blocks.count};
+    recorder_.dispatch("traversal/bases", nodes.count + 1, bases_push, {lists.counts, lists.bases});
+    const Bases bases{nodes.first, recorder_.read<uint32_t>(lists.bases, nodes.count + 1)};
+    for_portions(bases, level(top_).most_children, [&](Range portion) {
+      emit_top(nodes, portion, blocks, bases);
+      go_on(top_, portion, portion.first - nodes.first, bases);
+    });
+  }
+
+  void emit_top(Range tile, Range portion, BlockRange blocks, const Bases& bases) {
+    LevelScratch& lists = scratch_.levels[top_];
+    const struct {
+      uint32_t first_node, node_offset, node_count, first_block, block_count, pairs_before;
+    } push{tile.first,   portion.first - tile.first, portion.count,
+           blocks.first, blocks.count,               bases.of(portion.first)};
+    reserve_pairs(lists, bases.of(portion.end()) - bases.of(portion.first));
+    recorder_.dispatch({"traversal/emit_top", drop()}, uint64_t(portion.count) * blocks.count, push,
+                       {in_.scene.blocks, lists.masks, lists.counts, lists.pairs});
+  }
+
+  /// The pairs of `nodes` (all in levels[index].pairs) against their children, or to the final intersection.
+  void go_on(uint32_t index, Range nodes, uint32_t first_base, const Bases& bases) {
+    LevelScratch& lists = scratch_.levels[index];
+    const uint32_t pairs = bases.of(nodes.end()) - bases.of(nodes.first);
+    if (index == 0) {
+      intersect_({lists.pairs, lists.bases, first_base, nodes.first, nodes.end(), pairs, bases.of(nodes.first)});
+      return;
+    }
+    const Range children = level(index).children_of(nodes);
+    const Portion all{children.first, children.count,        nodes.first,
+                      first_base,     bases.of(nodes.first), level(index).most_children};
+    test_children(index - 1, all, pairs, nodes.count);
+    const Bases below{children.first, recorder_.read<uint32_t>(scratch_.levels[index - 1].counts, children.count + 1)};
+    for_portions(below, level(index - 1).most_children, [&](Range portion) {
+      emit_children(index - 1, all, portion, below);
+      go_on(index - 1, portion, portion.first - children.first, below);
+    });
+  }
+
+  void test_children(uint32_t index, const Portion& portion, uint32_t pairs, uint32_t parents) {
+    LevelScratch& lists = scratch_.levels[index];
+    const LevelScratch& above = scratch_.levels[index + 1];
+    grow(recorder_, lists.masks, uint64_t(pairs / 32 + parents) * portion.arity * sizeof(uint32_t), "masks");
+    grow(recorder_, lists.counts, quad_bytes(portion.child_count + 1), "pair bases");
+    const struct {
+      Portion portion;
+      uint32_t use_interval, tests, hits;
+    } push{portion, in_.options.interval, counter(shared::counter_level_tests + index),
+           counter(shared::counter_level_hits + index)};
+    recorder_.dispatch(bound("traversal/descend"), portion.child_count, push,
+                       {level(index).nodes, level(index).intervals, level(index + 1).parents,
+                        level(index + 1).children, bases_of(above, index + 1), above.pairs,
+                        in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters},
+                       uint64_t(pairs) * portion.arity);
+    primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, portion.child_count + 1,
+                     primitives::ScanKind::exclusive);
+  }
+
+  void emit_children(uint32_t index, const Portion& all, Range children, const Bases& bases) {
+    LevelScratch& lists = scratch_.levels[index];
+    const LevelScratch& above = scratch_.levels[index + 1];
+    Portion portion = all;
+    portion.first_child = children.first;
+    portion.child_count = children.count;
+    const struct {
+      Portion portion;
+      uint32_t first_scanned, emitted_before;
+    } push{portion, children.first - all.first_child, bases.of(children.first)};
+    reserve_pairs(lists, bases.of(children.end()) - bases.of(children.first));
+    recorder_.dispatch({"traversal/emit", drop()}, children.count, push,
+                       {level(index + 1).parents, level(index + 1).children, bases_of(above, index + 1), above.pairs,
+                        lists.masks, lists.counts, lists.pairs});
+  }
+
+  /// The top level's bases are gathered from its blocks; below, the scanned counts are the bases.
+  [[nodiscard]] const gpu::Buffer& bases_of(const LevelScratch& lists, uint32_t index) const {
+    return index == top_ ? lists.bases : lists.counts;
+  }
+
+  /// Cuts the nodes into portions whose pairs fit memory and whose tests against `children` a node fit a submit.
+  template <class Function>
+  void for_portions(const Bases& bases, uint32_t children, const Function& function) {
+    const uint64_t most = std::max<uint64_t>(1, std::min(pair_capacity(), in_.submit_work / children));
+    for (uint32_t first = bases.first_node; first < bases.end();) {
+      uint32_t end = first + 1;
+      while (end < bases.end() && bases.of(end + 1) - bases.of(first) <= most) ++end;
+      if (bases.of(end) > bases.of(first)) function(Range{first, end - first});
+      first = end;
+    }
+  }
+
+  /// Pairs of one list: what a binding holds, and a share of the memory that is left for each level's lists.
+  [[nodiscard]] uint64_t pair_capacity() const {
+    constexpr uint64_t bytes_a_pair = sizeof(shared::HitPair) + 8;  // masks and growth besides
+    uint64_t held = 0;
+    for (const LevelScratch& lists : scratch_.levels) held += lists.pairs.bytes();
+    const uint64_t available = device_.available_bytes();
+    const uint64_t budget = available > UINT64_MAX - held ? UINT64_MAX : available + held;
+    return std::min(device_.limits().max_binding / sizeof(shared::HitPair), budget / (top_ + 1) / bytes_a_pair);
+  }
+
+  void reserve_pairs(LevelScratch& lists, uint64_t pairs) {
+    grow(recorder_, lists.pairs, pairs * sizeof(shared::HitPair), "pairs");
+  }
+
+  [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> drop() const { return {{0, in_.drop_every}}; }
+
+  gpu::Recorder& recorder_;
+  gpu::Device& device_;
+  const In& in_;
+  Scratch& scratch_;
+  const std::function<void(const Candidates&)>& intersect_;
+  uint32_t top_ = 0;
+};
+
+}  // namespace
+
+void traverse(gpu::Recorder& recorder, const In& in, uint32_t depth, Range nodes, Scratch& scratch,
+              const std::function<void(const Candidates&)>& intersect) {
+  if (nodes.count == 0 || in.scene.block_count == 0) return;
+  recorder.stage(gpu::Stage::hierarchy_traversal);
+  Descent(recorder, in, scratch, intersect).run(depth, nodes);
+}
+
+}  // namespace crsh::traversal

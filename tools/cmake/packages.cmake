@@ -1,0 +1,59 @@
+# Every package that the build needs, as one target, crsh_packages. Those without CMake files in every release of
+# Debian are looked for by a header.
+
+add_library(crsh_packages INTERFACE)
+
+# Further arguments: folders below the usual ones.
+function(need_header header debian)
+  find_path(INCLUDE_${header} ${header} PATH_SUFFIXES ${ARGN})
+  mark_as_advanced(INCLUDE_${header})
+  if(NOT INCLUDE_${header})
+    message(FATAL_ERROR "${header} is missing: install the Debian package ${debian}")
+  endif()
+  target_include_directories(crsh_packages SYSTEM INTERFACE ${INCLUDE_${header}})
+endfunction()
+
+function(need_library library debian)
+  find_library(LIBRARY_${library} ${library})
+  mark_as_advanced(LIBRARY_${library})
+  if(NOT LIBRARY_${library})
+    message(FATAL_ERROR "lib${library} is missing: install the Debian package ${debian}")
+  endif()
+  target_link_libraries(crsh_packages INTERFACE ${LIBRARY_${library}})
+endfunction()
+
+# `target` is what the package's own CMake file defines.
+macro(need_package package target debian)
+  set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)  # Debian's Imath tells of a Python binding that is not installed
+  find_package(${package} QUIET)
+  unset(CMAKE_MESSAGE_LOG_LEVEL)
+  if(NOT TARGET ${target})
+    message(FATAL_ERROR "${package} is missing: install the Debian package ${debian}")
+  endif()
+  target_link_libraries(crsh_packages INTERFACE ${target})
+endmacro()
+
+find_program(GLSLANG NAMES glslangValidator glslang)
+if(NOT GLSLANG)
+  message(FATAL_ERROR "glslangValidator is missing: install the Debian package glslang-tools")
+endif()
+
+need_package(Vulkan Vulkan::Vulkan libvulkan-dev)
+need_package(OpenEXR OpenEXR::OpenEXR libopenexr-dev)
+need_package(fmt fmt::fmt libfmt-dev)
+need_header(spirv/unified1/spirv.h spirv-headers)
+need_header(glm/glm.hpp libglm-dev)
+need_header(CLI/CLI.hpp libcli11-dev)
+need_header(nlohmann/json.hpp nlohmann-json3-dev)
+need_header(stb_image_write.h libstb-dev stb)
+# Debian's TinyGLTF is a shared library with its image readers inside: nobody defines TINYGLTF_IMPLEMENTATION.
+need_header(tiny_gltf.h libtinygltf-dev)
+need_library(tinygltf libtinygltf-dev)
+# The viewer's: Debian's libimgui is static, holds the GLFW and Vulkan backends, and takes two packers from libstb.
+need_package(glfw3 glfw libglfw3-dev)
+need_header(imgui.h libimgui-dev imgui)
+need_header(imgui_impl_vulkan.h libimgui-dev imgui/backends)
+need_library(imgui libimgui-dev)
+need_library(stb libstb-dev)
+target_link_libraries(crsh_packages INTERFACE ${CMAKE_DL_LIBS})
+target_compile_definitions(crsh_packages INTERFACE GLM_ENABLE_EXPERIMENTAL)
