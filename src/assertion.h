@@ -12,5 +12,4 @@ namespace crsh {
 }  // namespace crsh
 
 /// Aborts with `message` (anything that converts to a string view, built only on failure) unless `condition` holds.
-#define CRSH_ASSERT(condition, message) \
-  ((condition) ? void(0) : ::crsh::assertion_failed(__FILE__, __LINE__, message))
+#define CRSH_ASSERT(condition, message) ((condition) ? void(0) : ::crsh::assertion_failed(__FILE__, __LINE__, message))

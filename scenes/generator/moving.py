@@ -185,14 +185,14 @@ def balloon(doc, paint, channels):
 def bouncing_ball(doc, paint, channels):
     """A ball that hops and is squashed (unevenly scaled) on the ground."""
     ball = doc.node("ball", doc.mesh("ball", shapes.sphere(0.3, 32, 16).moved(0, 0.3, 0),
-                                     paint["red"]), at=(3.2, 0, 4.6))
+                                     paint["red"]), at=(1.7, 0, 3.6))
     times, rows = [], []
     for i in range(9):
         times.append(i * LOOP / 8)
         up = i % 2
         # The path leaves and meets the ground at speed; both tangents are given.
         before, after = ((0, 0, 0), (0, 0, 0)) if up else ((0, -4.2, 0), (0, 4.2, 0))
-        rows += [before, (3.2, 1.05 * up, 4.6), after]
+        rows += [before, (1.7, 1.05 * up, 3.6), after]
     channels.append((ball, "translation", "CUBICSPLINE", times, rows))
     squash = [(1.2, 0.65, 1.2), (0.93, 1.15, 0.93), (1.0, 1.0, 1.0), (0.93, 1.15, 0.93)]
     channels.append((ball, "scale", "LINEAR", [i * LOOP / 16 for i in range(17)],
@@ -229,6 +229,7 @@ def build():
     doc = Document()
     paint = paints(doc)
     fair, drift = [], []
+    doc.camera("camera", (3.4, 3.2, 8.9), (-0.3, 1.45, 0.0), 46)
     ground(doc, paint)
     table = carousel(doc, paint, fair)
     train(doc, paint, fair)
@@ -239,8 +240,7 @@ def build():
     balloon(doc, paint, drift)
     doc.animation("fairground", fair)
     doc.animation("balloon", drift)
-    doc.light("sun", "directional", 2.1, (1.0, 0.92, 0.80), direction=(-0.55, -0.85, -0.62))
-    doc.light("sky", "directional", 0.7, (0.65, 0.80, 1.0), direction=(0.75, -0.8, -0.1))
-    doc.camera("camera", (3.6, 3.6, 9.6), (-0.35, 1.35, 0.0), 46)
+    doc.light("sun", "directional", 2.7, (1.0, 0.92, 0.80), direction=(-0.55, -0.85, -0.62))
+    doc.light("sky", "directional", 0.9, (0.65, 0.80, 1.0), direction=(0.7, -0.6, -0.35))
     doc.camera("rider", (0.45, 1.75, 0.95), (-1.6, 1.25, 1.9), 62, parent=table)
     return doc

@@ -108,9 +108,9 @@ def on_the_walls(office):
         office.store(part, geometry, paint)
     office.group("clock", clock, (-0.35, 1.95, BACK))
     for name, width, height, size, pixel, at, degrees in (
-            ("landscape", 0.78, 0.52, (48, 32), room.landscape, (RIGHT, 1.55, -1.0), -90),
-            ("abstract", 0.48, 0.60, (38, 40), room.abstract, (LEFT, 1.55, 0.72), 90),
-            ("small abstract", 0.32, 0.40, (38, 40), room.abstract, (-0.35, 1.42, BACK), 0)):
+            ("landscape", 0.78, 0.52, (64, 32), room.landscape, (RIGHT, 1.55, -1.0), -90),
+            ("abstract", 0.48, 0.60, (32, 32), room.abstract, (LEFT, 1.55, 0.72), 90),
+            ("small abstract", 0.32, 0.40, (32, 32), room.abstract, (-0.35, 1.42, BACK), 0)):
         texture = office.doc.texture(name, png(*size, pixel))
         office.paints[name] = office.doc.material(name, (0.9, 0.9, 0.9), 0.8, texture=texture)
         office.store(name, room.shapes.rectangle(width, height).moved(0, 0, 0.008), name, True)
@@ -243,10 +243,10 @@ def along_the_walls(office):
     office.place("waste bin", (-0.5, 0, -1.95))
     for number, at in enumerate(((-0.48, 0.22, -1.95), (-0.55, 0.25, -1.98), (-0.22, 0, -1.7))):
         office.place("paper ball %d" % number, at)
-    office.place("coat stand", (-3.1, 0, 0.75))
-    office.place("umbrella", (-2.97, 0.02, 0.88), 40)
-    office.group("uplighter", ["uplighter stand", "uplighter bowl"], (2.15, 0, BACK + 0.3))
-    office.doc.light("uplighter light", "point", 9.0, (1.0, 0.88, 0.70), at=(2.15, 1.88, BACK + 0.3))
+    office.place("coat stand", (-3.15, 0, -1.5))
+    office.place("umbrella", (LEFT + 0.09, 0, 1.02), 40)
+    office.group("uplighter", ["uplighter stand", "uplighter bowl"], (2.15, 0, BACK + 0.45))
+    office.doc.light("uplighter light", "point", 3.0, (1.0, 0.88, 0.70), at=(2.15, 1.95, BACK + 0.45))
 
 
 def pendants(office):
@@ -254,7 +254,7 @@ def pendants(office):
     for x, z in ((-1.25, 0.2), (1.25, -0.2)):
         node = office.group("pendant", ["pendant rod", "pendant globe"], (x, room.HEIGHT, z))
         office.doc.light("pendant light", "point", 11.0, (1.0, 0.90, 0.74),
-                         at=(0, -0.74, 0), parent=node)
+                         at=(0, -0.95, 0), parent=node)
 
 
 def build():

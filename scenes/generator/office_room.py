@@ -147,7 +147,7 @@ def city_lights():
         x, z = -15 + 2 * i, -14 - source.uniform(0, 4)
         for column in range(4):
             for row in range(int(height / 0.55)):
-                if lit.random() < 0.3:
+                if lit.random() < 0.45:
                     pane = shapes.rectangle(width * 0.14, 0.26)
                     mesh += pane.moved(x + (column - 1.5) * width * 0.23,
                                        height - 4.35 - 0.55 * row, z + 0.76)
@@ -216,21 +216,21 @@ def picture_frame(width, height):
 
 
 def landscape(x, y):
-    """A little picture of hills at sunset, 48 x 32."""
-    if (x - 33) ** 2 + (y - 11) ** 2 < 22:
+    """A little picture of hills at sunset, 64 x 32."""
+    if (x - 44) ** 2 / 1.8 + (y - 11) ** 2 < 22:
         return (255, 236, 170)
-    if y > 22 + 3 * math.sin(x / 5):
+    if y > 22 + 3 * math.sin(x / 7):
         return (38, 66, 52)
-    if y > 17 + 4 * math.sin(x / 9 + 2):
+    if y > 17 + 4 * math.sin(x / 12 + 2):
         return (80, 98, 112)
     return (240 - 3 * y, 130 + 3 * y, 90 + 4 * y)
 
 
 def abstract(x, y):
-    """A picture of coloured blocks, 32 x 40."""
-    if x in (11, 12, 24, 25) or y in (9, 10, 25, 26):
+    """A picture of coloured blocks, 32 x 32."""
+    if x in (11, 24) or y in (8, 21):
         return (20, 20, 24)
     colours = ((222, 60, 40), (244, 240, 228), (40, 80, 160),
                (244, 240, 228), (246, 196, 40), (244, 240, 228),
                (30, 110, 110), (244, 240, 228), (222, 60, 40))
-    return colours[(x > 12) + (x > 25) + 3 * ((y > 10) + (y > 26))]
+    return colours[(x > 11) + (x > 24) + 3 * ((y > 8) + (y > 21))]

@@ -72,11 +72,10 @@ def keyboard_keys():
 
 def mouse():
     """A computer mouse."""
-    body = shapes.sphere(1.0, 24, 16).scaled(0.031, 0.034, 0.055)
-    corners = [((p[0], max(p[1], 0.002), p[2]), n if p[1] > 0.002 else (0.0, -1.0, 0.0), t)
-               for p, n, t in body.corners]
+    dome = [(0.0, 0.0), (0.97, 0.0)] + shapes.arc((0, 0), 1.0, 4, 90, 9)[:-1] + [(0.0, 1.0)]
+    body = shapes.lathe(dome, 24, 60).scaled(0.031, 0.034, 0.055)
     wheel = shapes.cylinder(0.008, 0.007, 16).turned("z", 90).moved(0.0035, 0.030, -0.025)
-    return Mesh(corners) + wheel
+    return body + wheel
 
 
 def mug():
@@ -199,7 +198,7 @@ def leaves(count=34, spread=1.0, seed="leaves"):
         blade = leaf(length, 0.055 * spread, droop).turned("z", 20 * rise)
         turn = 137.5 * i + source.uniform(-12, 12)
         high = 0.28 + 0.55 * rise * spread
-        stem = [(0, 0.24, 0), (0.02, 0.24 + high * 0.4, 0), (0.05, high, 0)]
+        stem = [(0, 0.24, 0), (0.02, 0.12 + high * 0.5, 0), (0.05, high, 0)]
         mesh += (blade.moved(0.05, high, 0) + shapes.sweep(stem, 0.006, 5)).turned("y", turn)
     return mesh
 

@@ -113,8 +113,12 @@ def profile_normals(profile, crease):
         x, y = face[0] + neighbour[0], face[1] + neighbour[1]
         return (x / math.hypot(x, y), y / math.hypot(x, y))
 
-    last = len(faces) - 1
-    return [(joint(face, faces[max(i - 1, 0)]), joint(face, faces[min(i + 1, last)]))
+    def beyond(face, radius):
+        # Across the axis the surface goes on as its own mirror image.
+        return (-face[0], face[1]) if radius == 0 else face
+
+    around = [beyond(faces[0], profile[0][0]), *faces, beyond(faces[-1], profile[-1][0])]
+    return [(joint(face, around[i]), joint(face, around[i + 2]))
             for i, face in enumerate(faces)]
 
 

@@ -15,6 +15,7 @@ layout(push_constant, scalar) uniform Push {
   uint first_ray;  // of the segment
   uint ray_count;
   uint surfaces;   // slots a segment
+  uint first_surface;  // of the batch
   uint kind;
   uint light;
   uint hits_counter;
@@ -41,7 +42,7 @@ void main() {
   uint met = 0u;
   if (i < ray_count) {
     uint ray = first_ray + i;
-    uint surface = slots[ray] % surfaces;
+    uint surface = first_surface + slots[ray] % surfaces;
     uvec4 hit = hits[ray];
     uint words[7] = uint[7](floatBitsToUint(diffuse_pixel[surface].w), floatBitsToUint(specular_path[surface].w), kind,
                             light, hit.x, hit.y, hit.z);

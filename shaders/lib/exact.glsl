@@ -11,7 +11,6 @@ float exact_dot(vec3 a, vec3 b) {
   return sum;
 }
 
-/// Antisymmetric to the last bit: exact_cross(a, b) == -exact_cross(b, a), which makes shared edges watertight.
 vec3 exact_cross(vec3 a, vec3 b) {
   precise vec3 left = vec3(a.y * b.z, a.z * b.x, a.x * b.y);
   precise vec3 right = vec3(a.z * b.y, a.x * b.z, a.y * b.x);

@@ -78,28 +78,45 @@ bool inside_chord(vec3 origin, vec3 direction, float t, vec3 centre, float radiu
   return left >= 0.0 && distance_to_middle <= reach;
 }
 
-/// Unnormalised barycentric weights of corners a, b, c where the ray meets the plane: all of one sign inside.
-/// Equal to the last bit, with the sign turned, on both sides of a shared edge.
-vec3 edge_weights(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
-  precise vec3 va = a - origin;
-  precise vec3 vb = b - origin;
-  precise vec3 vc = c - origin;
-  return vec3(exact_dot(direction, exact_cross(vb, vc)), exact_dot(direction, exact_cross(vc, va)),
-              exact_dot(direction, exact_cross(va, vb)));
+/// Components turned so that the largest of `direction` comes last; handedness stays.
+vec3 turned(vec3 v, vec3 direction) {
+  vec3 size = abs(direction);
+  return size.x > size.y && size.x > size.z ? v.yzx : size.y > size.z ? v.zxy : v;
+}
+
+/// A corner as the ray sees it: z is its depth along the direction's largest component, and the others are sheared so
+/// that the ray passes through (0, 0). It is rounded for the corner alone, so all triangles around it agree where it is
+/// (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013).
+vec3 seen_from(vec3 origin, vec3 direction, vec3 corner) {
+  precise vec3 from_origin = corner - origin;
+  vec3 p = turned(from_origin, direction);
+  vec3 d = turned(direction, direction);
+  precise vec2 shear = d.xy / d.z;
+  precise vec2 flattened = p.xy - shear * p.z;
+  return vec3(flattened, p.z);
+}
+
+/// Unnormalised barycentric weights of three corners as the ray sees them: all of one sign inside. The difference of
+/// two rounded products has the right sign or is 0, and is the same, with the sign turned, on both sides of a shared
+/// edge: no ray slips between the triangles around an edge or a corner.
+vec3 edge_weights(vec3 a, vec3 b, vec3 c) {
+  precise vec3 left = vec3(b.x * c.y, c.x * a.y, a.x * b.y);
+  precise vec3 right = vec3(b.y * c.x, c.y * a.x, a.y * b.x);
+  precise vec3 weights = left - right;
+  return weights;
 }
 
 /// Whether the ray hits the triangle, and at which t. `cull_back`: the triangle's back lets the ray pass.
 bool hit_triangle(vec3 origin, vec3 direction, float tmax, vec3 a, vec3 b, vec3 c, bool cull_back, out float t) {
-  vec3 weights = edge_weights(origin, direction, a, b, c);
+  vec3 sa = seen_from(origin, direction, a), sb = seen_from(origin, direction, b), sc = seen_from(origin, direction, c);
+  vec3 weights = edge_weights(sa, sb, sc);
   bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
 
-  precise vec3 ab = b - a;
-  precise vec3 ac = c - a;
-  precise vec3 normal = exact_cross(ab, ac);
-  precise float towards = exact_dot(direction, normal);  // negative: the ray meets the front
-  precise vec3 to_a = a - origin;
-  precise float distance_to_plane = exact_dot(to_a, normal);
-  precise float at = distance_to_plane / towards;
+  // Depth is a mean of the corners' depths: t cannot leave the triangle, however it grazes the ray.
+  precise float sum = (weights.x + weights.y) + weights.z;
+  precise float towards = sum * turned(direction, direction).z;  // negative: the ray meets the front
+  precise float depth = (weights.x * sa.z + weights.y * sb.z) + weights.z * sc.z;
+  precise float at = depth / towards;
   t = at;
   bool in_range = towards != 0.0 && at > 0.0 && at < tmax;  // not parallel, not without area
   bool faces = !(cull_back && towards > 0.0);
@@ -116,7 +133,8 @@ bool hit_triangle(vec3 origin, vec3 direction, float tmax, vec3 a, vec3 b, vec3 
 
 /// Barycentric weights of a, b, c, summing to 1, where the ray meets the triangle (thirds for one without area).
 vec3 barycentrics(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
-  vec3 weights = edge_weights(origin, direction, a, b, c);
+  vec3 weights = edge_weights(seen_from(origin, direction, a), seen_from(origin, direction, b),
+                              seen_from(origin, direction, c));
   precise float sum = (weights.x + weights.y) + weights.z;
   precise vec3 result = sum != 0.0 ? weights / sum : vec3(1.0 / 3.0);
   return result;

@@ -10,6 +10,10 @@ layout(scalar, binding = 1) buffer Histogram { uint histogram[]; };
 void main() {
   const uint lane = invocation_index();
   if (lane >= lanes) return;
-  const uint end = min((lane + 1) * run, count);
-  for (uint i = lane * run; i < end; ++i) histogram[sort_slot(pairs[i].x, lane)]++;
+  const uint end = part_end(lane);
+  for (uint i = part_begin(lane); i < end; i += unroll) {
+    uint slots[unroll];
+    for (uint k = 0; k < unroll; ++k) slots[k] = sort_slot(pairs[i + k].x, lane);
+    for (uint k = 0; k < unroll; ++k) histogram[slots[k]]++;
+  }
 }

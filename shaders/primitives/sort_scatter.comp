@@ -12,16 +12,21 @@ layout(scalar, binding = 1) buffer Places { uint places[]; };  // the histogram 
 layout(scalar, binding = 2) writeonly buffer Sorted { uvec2 sorted[]; };
 layout(scalar, binding = 2) writeonly buffer Values { uint values[]; };
 
+void put(uvec2 pair, uint lane) {
+  const uint slot = sort_slot(pair.x, lane);
+  const uint place = places[slot];
+  places[slot] = place + 1;
+  if (values_only) values[place] = pair.y;
+  else sorted[place] = pair;
+}
+
 void main() {
   const uint lane = invocation_index();
   if (lane >= lanes) return;
-  const uint first = lane * run, end = min(first + run, count);
-  for (uint i = first; i < end; ++i) {
-    const uvec2 pair = pairs[unstable ? end - 1 - (i - first) : i];
-    const uint slot = sort_slot(pair.x, lane);
-    const uint place = places[slot];
-    places[slot] = place + 1;
-    if (values_only) values[place] = pair.y;
-    else sorted[place] = pair;
+  const uint begin = part_begin(lane), end = part_end(lane);
+  for (uint i = begin; i < end; i += unroll) {
+    uvec2 loaded[unroll];
+    for (uint k = 0; k < unroll; ++k) loaded[k] = pairs[unstable ? begin + end - 1 - i - k : i + k];
+    for (uint k = 0; k < unroll; ++k) put(loaded[k], lane);
   }
 }

@@ -31,8 +31,8 @@ float cosine_of(vec3 normal, vec3 incoming) { return clamp(-exact_dot(normal, in
 
 /// Writes the surface's weight, and its ray where that is worth casting.
 void store(uint i, vec3 weight, vec3 origin, vec3 direction, uint kind) {
-  bool cast = worth_casting(weight);
-  weights[first_surface + i] = vec4(cast ? weight : vec3(0.0), 0.0);
-  flags[first_slot + i] = uint(cast);
-  if (cast) rays[first_slot + i] = Ray(vec4(origin, uintBitsToFloat(0x7F800000u)), vec4(direction, float(kind)));
+  bool starts = worth_casting(weight);
+  weights[first_surface + i] = vec4(starts ? weight : vec3(0.0), 0.0);
+  flags[first_slot + i] = uint(starts);
+  if (starts) rays[first_slot + i] = Ray(vec4(origin, uintBitsToFloat(0x7F800000u)), vec4(direction, float(kind)));
 }

@@ -46,7 +46,7 @@ void main() {
   Light light = lights[first_light + i / surfaces];
   vec4 position = positions[surface];
   vec3 geometric = geometrics[surface].xyz;
-  bool cast = floatBitsToUint(position.w) != none && lit(light, position.xyz, geometric);
-  flags[first_slot + i] = uint(cast);
-  if (cast) rays[first_slot + i] = shadow_ray(light, position.xyz, geometric);
+  bool starts = floatBitsToUint(position.w) != none && lit(light, position.xyz, geometric);
+  flags[first_slot + i] = uint(starts);
+  if (starts) rays[first_slot + i] = shadow_ray(light, position.xyz, geometric);
 }

@@ -1,6 +1,7 @@
 #include "coherence/compress.h"
 
 #include "primitives/grow.h"
+#include "primitives/sort.h"
 
 namespace crsh::coherence {
 namespace {
@@ -30,7 +31,7 @@ void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buff
   grow(recorder, scratch.flags, quad_bytes(ray_count), "compress.flags");
   recorder.dispatch("coherence/flag_heads", (uint64_t(ray_count) + 3) / 4, ray_count, {pairs, scratch.flags}, ray_count);
   out.count = primitives::compact(recorder, scratch.compact, scratch.flags, ray_count, out.bases);
-  grow(recorder, out.pairs, uint64_t(out.count) * 8, "chunks.pairs");
+  grow(recorder, out.pairs, primitives::pair_bytes(out.count), "chunks.pairs");
   grow(recorder, out.sizes, quad_bytes(out.count), "chunks.sizes");
   recorder.dispatch("coherence/compress", out.count, CompressPush{out.count, ray_count},
                     {pairs, out.bases, out.pairs, out.sizes}, out.count);

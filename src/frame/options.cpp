@@ -9,28 +9,37 @@ namespace crsh {
 namespace {
 
 AlgorithmOptions brute() {
-  AlgorithmOptions options{.preset = "brute", .brute = true};
+  AlgorithmOptions options;
+  options.preset = "brute";
+  options.brute = true;
   options.compression = options.interval = options.mesh_culling = false;
   return options;
 }
 
 /// Roger et al. 2007: rays as they come from screen tiles.
 AlgorithmOptions rah() {
-  AlgorithmOptions options{.preset = "rah", .ray_order = RayOrder::tiles};
+  AlgorithmOptions options;
+  options.preset = "rah";
+  options.ray_order = RayOrder::tiles;
   options.compression = options.mesh_culling = false;
   return options;
 }
 
 /// The paper as printed.
 AlgorithmOptions crsh_2017() {
-  AlgorithmOptions options{.preset = "crsh-2017", .compression = true, .fit = Fit::merged, .interval = false};
+  AlgorithmOptions options;
+  options.preset = "crsh-2017";
   options.keys.fill("spherical");
+  options.fit = Fit::merged;
+  options.interval = false;
   return options;
 }
 
 /// Our best: bounds fitted to all rays, each kind with its best key.
 AlgorithmOptions crsh_best() {
-  AlgorithmOptions options{.preset = "crsh", .compression = false};
+  AlgorithmOptions options;
+  options.preset = "crsh";
+  options.compression = false;
   for (size_t kind = 0; kind < kind_count; ++kind) options.keys[kind] = ray_kinds[kind].best_key;
   return options;
 }

@@ -34,8 +34,9 @@ class Renderer {
   /// Lines for stderr: the default light or the resolved --light as pasteable options, and such.
   [[nodiscard]] const std::vector<std::string>& notes() const;
 
+  struct State;  ///< frame/state.h
+
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

@@ -10,8 +10,9 @@ namespace {
 VkBuffer create_buffer(Device& device, uint64_t bytes) {
   VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   info.size = bytes;
-  info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-               VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+  info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+               VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT |
+               VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
   VkBuffer buffer = VK_NULL_HANDLE;
   check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "making a buffer");
   return buffer;
@@ -28,7 +29,8 @@ uint64_t grown(const Device& device, uint64_t now, uint64_t wanted) {
   if (capacity == 0) capacity = device.request().first_capacity ? device.request().first_capacity : wanted;
   while (capacity < wanted) capacity += capacity / 2 + 1;
   const Limits& limits = device.limits();
-  if (capacity > limits.max_binding || capacity > limits.max_allocation || capacity > device.available_bytes()) return wanted;
+  if (capacity > limits.max_binding || capacity > limits.max_allocation || capacity > device.available_bytes())
+    return wanted;
   return capacity;
 }
 

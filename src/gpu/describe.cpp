@@ -63,7 +63,8 @@ const char* missing_feature(VkPhysicalDevice physical) {
   if (!v12.scalarBlockLayout) return "it has no scalar block layout";
   if (!v13.synchronization2) return "it has no synchronization2";
   if (!v13.dynamicRendering) return "it has no dynamic rendering";
-  if (!can(physical, VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT)) return "it has no 32-bit depth";
+  if (!can(physical, VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
+    return "it has no 32-bit depth";
   return nullptr;
 }
 

@@ -22,7 +22,8 @@ VkDescriptorBufferInfo buffer_info(const Limits& limits, const Binding& binding,
 }
 
 VkDescriptorImageInfo image_info(const Image& image, std::string_view name) {
-  CRSH_ASSERT(image.view() && image.format() != Format::depth32f, std::string(name) + " binds an image that cannot be read");
+  CRSH_ASSERT(image.view() && image.format() != Format::depth32f,
+              std::string(name) + " binds an image that cannot be read");
   return {VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_GENERAL};
 }
 
@@ -77,8 +78,10 @@ VkDescriptorSet Descriptors::describe(VkDescriptorSetLayout layout, const Reflec
     const bool is_buffer = std::holds_alternative<Binding>(argument);
     CRSH_ASSERT(is_buffer == (reflection.resources[index] == Resource::storage_buffer),
                 "argument " + std::to_string(index) + " of " + std::string(name) + " is of the wrong kind");
-    if (is_buffer) writes.add(buffer_info(device_.limits(), std::get<Binding>(argument), name));
-    else writes.add(image_info(*std::get<const Image*>(argument), name));
+    if (is_buffer)
+      writes.add(buffer_info(device_.limits(), std::get<Binding>(argument), name));
+    else
+      writes.add(image_info(*std::get<const Image*>(argument), name));
     ++index;
   }
   writes.update(device_.handle());
@@ -116,7 +119,8 @@ void Descriptors::add_pool() {
 }
 
 void Descriptors::reset() {
-  for (VkDescriptorPool pool : pools_) check(vkResetDescriptorPool(device_.handle(), pool, 0), "resetting a descriptor pool");
+  for (VkDescriptorPool pool : pools_)
+    check(vkResetDescriptorPool(device_.handle(), pool, 0), "resetting a descriptor pool");
   current_ = 0;
 }
 

@@ -24,8 +24,8 @@ struct DeviceInfo {
   std::string type;  ///< "discrete", "integrated", "virtual", "cpu" or "other"
   std::string uuid;  ///< 32 hex digits with dashes
   uint32_t subgroup_size = 0;
-  bool software = false;      ///< the device is a CPU
-  std::string unusable;       ///< why it cannot be used; empty when it can
+  bool software = false;  ///< the device is a CPU
+  std::string unusable;   ///< why it cannot be used; empty when it can
 };
 
 /// Limits that buffers, bindings and dispatches respect. Bytes unless said otherwise.
@@ -39,17 +39,17 @@ struct Limits {
 };
 
 struct DeviceRequest {
-  std::string selector;           ///< index, part of the name, or UUID; empty: a real GPU before a software device
-  uint64_t memory_budget = 0;     ///< bytes that all buffers and images together may take; 0: no bound
-  bool validation = false;        ///< validation and synchronisation validation layers, any message is counted
-  uint64_t first_capacity = 0;    ///< growing buffers start with so many bytes (tests); 0: what is asked for
+  std::string selector;         ///< index, part of the name, or UUID; empty: a real GPU before a software device
+  uint64_t memory_budget = 0;   ///< bytes that all buffers and images together may take; 0: no bound
+  bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
+  uint64_t first_capacity = 0;  ///< growing buffers start with so many bytes (tests); 0: what is asked for
 };
 
 /// Thrown where an allocation does not fit the budget or the device; `frame` splits or reports it.
 struct OutOfMemory {
-  std::string what;       ///< name of the buffer or image
-  uint64_t needed = 0;    ///< bytes of device memory in all, this allocation included
-  uint64_t available = 0; ///< the budget, or 0 where the device itself refused
+  std::string what;        ///< name of the buffer or image
+  uint64_t needed = 0;     ///< bytes of device memory in all, this allocation included
+  uint64_t available = 0;  ///< the budget, or 0 where the device itself refused
 };
 
 /// All devices, usable or not. Throws UserError (exit 77) where there is no Vulkan loader or no device at all.
@@ -70,6 +70,9 @@ class Device {
   [[nodiscard]] uint64_t peak_bytes() const { return peak_; }
   /// Bytes that may still be allocated under the budget (UINT64_MAX without one).
   [[nodiscard]] uint64_t available_bytes() const;
+  /// Another budget from here on, as in DeviceRequest; and a peak that forgets what was before.
+  void set_memory_budget(uint64_t bytes) { request_.memory_budget = bytes; }
+  void forget_peak() { peak_ = allocated_; }
   /// Validation messages of severity warning or error since the device was made.
   [[nodiscard]] uint64_t validation_messages() const;
 
@@ -90,7 +93,8 @@ class Device {
   void end_label(VkCommandBuffer commands) const;
   /// Allocates memory for `requirements`, or throws OutOfMemory. Only device memory counts: what is host-visible here
   /// is for copies, small, and on most devices no device memory.
-  [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& requirements, bool host_visible, std::string_view name);
+  [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& requirements, bool host_visible,
+                                        std::string_view name);
   /// Frees it; `counted` is the size that was asked for, 0 for host-visible memory.
   void release(VkDeviceMemory memory, uint64_t counted);
 

@@ -9,6 +9,7 @@
 namespace crsh::gpu {
 namespace {
 
+constexpr VkImageUsageFlags depth_usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
 constexpr VkImageUsageFlags colour_usage =
     VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 
@@ -19,7 +20,7 @@ VkImage create_image(Device& device, uint32_t width, uint32_t height, Format for
   info.extent = {width, height, 1};
   info.mipLevels = info.arrayLayers = 1;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
-  info.usage = format == Format::depth32f ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : colour_usage;
+  info.usage = format == Format::depth32f ? depth_usage : colour_usage;
   VkImage image = VK_NULL_HANDLE;
   check(vkCreateImage(device.handle(), &info, nullptr, &image), "making an image");
   return image;

@@ -15,7 +15,8 @@ enum class Format { rgba32f, r32u, depth32f };
 /// The same in Vulkan's words.
 [[nodiscard]] VkFormat vulkan_format(Format format);
 
-/// Move-only. Always in layout GENERAL. Colour formats can be attachments, storage images and transfer sources; depth is an attachment only.
+/// Move-only. Always in layout GENERAL. Colour formats can be attachments, storage images and transfer sources; depth
+/// is an attachment only.
 class Image {
  public:
   Image() = default;

@@ -9,8 +9,9 @@ namespace crsh::gpu {
 namespace {
 
 [[noreturn]] void throw_no_device() {
-  throw UserError("there is no Vulkan device: install a driver (the Debian package mesa-vulkan-drivers has one that needs no GPU)",
-                  Exit::no_device);
+  throw UserError(
+      "there is no Vulkan device: install a driver (the Debian package mesa-vulkan-drivers has one that needs no GPU)",
+      Exit::no_device);
 }
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
@@ -22,7 +23,8 @@ void require_validation_layer() {
   check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "listing the Vulkan layers");
   for (const VkLayerProperties& layer : layers)
     if (std::strcmp(layer.layerName, validation_layer) == 0) return;
-  throw UserError("validation was asked for, but its layer is missing: install the Debian package vulkan-validationlayers");
+  throw UserError(
+      "validation was asked for, but its layer is missing: install the Debian package vulkan-validationlayers");
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL count_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
@@ -36,9 +38,9 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info(std::atomic<uint64_t>* counter
   return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
           .pNext = nullptr,
           .flags = 0,
-          .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-          .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
-                         VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
+          .messageSeverity =
+              VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+          .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
           .pfnUserCallback = count_message,
           .pUserData = counter};
 }

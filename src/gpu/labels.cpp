@@ -5,12 +5,12 @@
 namespace crsh::gpu {
 
 void Device::load_label_functions() {
-  set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
-      vkGetDeviceProcAddr(device_, "vkSetDebugUtilsObjectNameEXT"));
-  begin_label_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
-      vkGetDeviceProcAddr(device_, "vkCmdBeginDebugUtilsLabelEXT"));
-  end_label_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
-      vkGetDeviceProcAddr(device_, "vkCmdEndDebugUtilsLabelEXT"));
+  set_name_ =
+      reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(vkGetDeviceProcAddr(device_, "vkSetDebugUtilsObjectNameEXT"));
+  begin_label_ =
+      reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(vkGetDeviceProcAddr(device_, "vkCmdBeginDebugUtilsLabelEXT"));
+  end_label_ =
+      reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(vkGetDeviceProcAddr(device_, "vkCmdEndDebugUtilsLabelEXT"));
 }
 
 void Device::name_object(VkObjectType type, uint64_t handle, std::string_view name) const {

@@ -52,8 +52,9 @@ void Profiler::end(VkCommandBuffer commands) { write_timestamp(commands); }
 void Profiler::collect() {
   if (!pool_) return;
   std::vector<uint64_t> ticks(spans_.size());
-  check(vkGetQueryPoolResults(device_.handle(), pool_, 0, static_cast<uint32_t>(ticks.size()), ticks.size() * sizeof(uint64_t),
-                              ticks.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+  check(vkGetQueryPoolResults(device_.handle(), pool_, 0, static_cast<uint32_t>(ticks.size()),
+                              ticks.size() * sizeof(uint64_t), ticks.data(), sizeof(uint64_t),
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "reading timestamps");
   for (size_t i = 0; i + 1 < ticks.size(); ++i)  // each span ends where the next begins; the last timestamp is an end
     nanoseconds_[static_cast<size_t>(spans_[i])] +=

@@ -18,8 +18,8 @@ namespace crsh::gpu {
 /// A shader by its path below shaders/ without ".comp" (a variant: "rays/hash@hilbert"), and its
 /// specialisation constants as (constant_id, value bits).
 struct Kernel {
-  Kernel(const char* file) : path(file) {}                      // NOLINT: meant to convert
-  Kernel(std::string file) : path(std::move(file)) {}           // NOLINT: meant to convert
+  Kernel(const char* file) : path(file) {}             // NOLINT: meant to convert
+  Kernel(std::string file) : path(std::move(file)) {}  // NOLINT: meant to convert
   Kernel(std::string file, std::vector<std::pair<uint32_t, uint32_t>> values)
       : path(std::move(file)), constants(std::move(values)) {}
   std::string path;
@@ -36,8 +36,8 @@ enum class Resource { storage_buffer, storage_image };
 
 /// What a module declares in set 0 and for itself; the small part of SPIR-V reflection that dispatches need.
 struct Reflection {
-  std::vector<Resource> resources;   ///< by binding, 0 .. n-1 without gaps (asserted)
-  uint32_t push_bytes = 0;           ///< size of the push constant block, at most 128 (asserted)
+  std::vector<Resource> resources;  ///< by binding, 0 .. n-1 without gaps (asserted)
+  uint32_t push_bytes = 0;          ///< size of the push constant block, at most 128 (asserted)
   uint32_t local_size[3] = {1, 1, 1};
   /// The constant_id behind each local size (layout(local_size_x_id = 0)), or no_constant.
   uint32_t local_size_id[3] = {no_constant, no_constant, no_constant};
@@ -90,8 +90,9 @@ class Program {
   VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
-/// A graphics pipeline of "path.vert" and "path.frag" (vertex pulling: no vertex input; triangle list; no face culling; depth test GREATER with
-/// write: depth is reversed, cleared to 0). Vertex and fragment shader share set 0 and the push block.
+/// A graphics pipeline of "path.vert" and "path.frag" (vertex pulling: no vertex input; triangle list; no face culling;
+/// depth test GREATER with write: depth is reversed, cleared to 0). Vertex and fragment shader share set 0 and the push
+/// block.
 class DrawProgram {
  public:
   DrawProgram(Device& device, std::string_view path, std::span<const Format> colours, Format depth = Format::depth32f);

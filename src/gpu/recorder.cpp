@@ -33,7 +33,8 @@ VkExtent2D extent_of(const Attachments& attachments) {
   const Image& image = attachments.colours.empty() ? *attachments.depth : *attachments.colours[0];
   for (const Image* other : attachments.colours)
     CRSH_ASSERT(other->width() == image.width() && other->height() == image.height(), "attachments differ in size");
-  CRSH_ASSERT(!attachments.depth || (attachments.depth->width() == image.width() && attachments.depth->height() == image.height()),
+  CRSH_ASSERT(!attachments.depth ||
+                  (attachments.depth->width() == image.width() && attachments.depth->height() == image.height()),
               "the depth attachment differs in size");
   return {image.width(), image.height()};
 }
@@ -60,7 +61,8 @@ void Recorder::stage(Stage stage) {
 
 void Recorder::bind(VkPipelineBindPoint point, VkPipeline pipeline, const PipelineLayout& layout,
                     const Reflection& reflection, Bytes push, Arguments arguments, std::string_view name) {
-  CRSH_ASSERT(push.size() == reflection.push_bytes, std::string(name) + " takes " + std::to_string(reflection.push_bytes) +
+  CRSH_ASSERT(push.size() == reflection.push_bytes, std::string(name) + " takes " +
+                                                        std::to_string(reflection.push_bytes) +
                                                         " bytes of push constants, not " + std::to_string(push.size()));
   const VkCommandBuffer commands = submission_.commands();
   vkCmdBindPipeline(commands, point, pipeline);
@@ -101,8 +103,8 @@ void Recorder::begin_rendering(const Attachments& attachments) {
     info.pDepthAttachment = &depth;
   }
   vkCmdBeginRendering(submission_.commands(), &info);
-  const VkViewport viewport{0, 0, static_cast<float>(info.renderArea.extent.width),
-                            static_cast<float>(info.renderArea.extent.height), 0, 1};
+  const VkViewport viewport{
+      0, 0, static_cast<float>(info.renderArea.extent.width), static_cast<float>(info.renderArea.extent.height), 0, 1};
   vkCmdSetViewport(submission_.commands(), 0, 1, &viewport);
   vkCmdSetScissor(submission_.commands(), 0, 1, &info.renderArea);
 }
@@ -139,6 +141,19 @@ void Recorder::copy(const Buffer& source, uint64_t source_offset, const Buffer& 
   begin();
   const VkBufferCopy region{source_offset, target_offset, bytes};
   vkCmdCopyBuffer(submission_.commands(), source.handle(), target.handle(), 1, &region);
+  submission_.barrier();
+}
+
+void Recorder::copy(const Image& source, const Buffer& target) {
+  CRSH_ASSERT(source.format() != Format::depth32f, "depth cannot be copied");
+  const uint64_t pixel_bytes = source.format() == Format::rgba32f ? 16 : 4;
+  CRSH_ASSERT(pixel_bytes * source.width() * source.height() <= target.bytes(),
+              "an image is larger than " + target.name());
+  begin();
+  VkBufferImageCopy region{};
+  region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.imageExtent = {source.width(), source.height(), 1};
+  vkCmdCopyImageToBuffer(submission_.commands(), source.handle(), VK_IMAGE_LAYOUT_GENERAL, target.handle(), 1, &region);
   submission_.barrier();
 }
 

@@ -66,8 +66,10 @@ class Recorder {
   /// Fills words of a buffer; `words` counts 32-bit words from word `first` on.
   void fill(const Buffer& buffer, uint32_t value, uint64_t words, uint64_t first = 0);
   void copy(const Buffer& source, uint64_t source_offset, const Buffer& target, uint64_t target_offset, uint64_t bytes);
+  /// A colour image's pixels, row by row, to the start of `target`.
+  void copy(const Image& source, const Buffer& target);
 
-  /// Submits what is recorded, if anything, and waits for it. Timestamps go to the profiler. Device lost throws a UserError.
+  /// Submits what is recorded, if anything, and waits. Timestamps go to the profiler. Device lost throws a UserError.
   void submit();
   /// Submits when the recorded work has reached `bound` (--submit-work).
   void submit_past(uint64_t bound);
@@ -87,13 +89,15 @@ class Recorder {
 
   template <class Push>
   [[nodiscard]] static Bytes bytes_of(const Push& push) {
-    if constexpr (std::is_empty_v<Push>) return {};
-    else return std::as_bytes(std::span(&push, 1));
+    if constexpr (std::is_empty_v<Push>)
+      return {};
+    else
+      return std::as_bytes(std::span(&push, 1));
   }
 
   void dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, Arguments arguments, uint64_t work);
-  void draw_bytes(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count, Bytes push,
-                  Arguments arguments);
+  void draw_bytes(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count,
+                  Bytes push, Arguments arguments);
   void read_bytes(const Buffer& buffer, uint64_t offset, void* data, uint64_t bytes);
   void begin();
   /// Binds pipeline, arguments and push constants, asserting that they are what the shader declares.

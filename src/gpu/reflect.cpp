@@ -64,14 +64,15 @@ void decorate_member(Module& module, std::span<const uint32_t> operands) {
 /// Where an instruction that makes a definition has its result id among its operands.
 size_t result_place(SpvOp op) {
   switch (op) {
+    // clang-format off
     case SpvOpTypeInt: case SpvOpTypeFloat: case SpvOpTypeBool: case SpvOpTypeVector: case SpvOpTypeMatrix:
     case SpvOpTypeArray: case SpvOpTypeRuntimeArray: case SpvOpTypeStruct: case SpvOpTypePointer: case SpvOpTypeImage:
       return 0;
     case SpvOpConstant: case SpvOpSpecConstant: case SpvOpConstantComposite: case SpvOpSpecConstantComposite:
     case SpvOpVariable:
       return 1;
-    default:
-      return SIZE_MAX;
+    // clang-format on
+    default: return SIZE_MAX;
   }
 }
 
@@ -124,7 +125,8 @@ uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout
   const Definition& definition = module.at(type);
   const auto operands = definition.operands;
   switch (definition.op) {
-    case SpvOpTypeInt: case SpvOpTypeFloat: return operands[1] / 8;
+    case SpvOpTypeInt:
+    case SpvOpTypeFloat: return operands[1] / 8;
     case SpvOpTypeVector: return operands[2] * size_of(module, operands[1], layout);
     case SpvOpTypeMatrix: return operands[2] * layout.matrix_stride;
     case SpvOpTypeArray: return constant(module, operands[2]) * module.array_stride.at(type);
@@ -137,12 +139,14 @@ uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout
 std::optional<Resource> resource_of(const Module& module, SpvStorageClass storage, uint32_t pointee) {
   if (storage == SpvStorageClassStorageBuffer) return Resource::storage_buffer;
   if (storage == SpvStorageClassUniform) {
-    CRSH_ASSERT(module.buffer_block.contains(pointee), "uniform buffers are not supported: use a push constant or a buffer");
+    CRSH_ASSERT(module.buffer_block.contains(pointee),
+                "uniform buffers are not supported: use a push constant or a buffer");
     return Resource::storage_buffer;
   }
   if (storage != SpvStorageClassUniformConstant) return std::nullopt;
   const Definition& type = module.at(pointee);
-  CRSH_ASSERT(type.op == SpvOpTypeImage && type.operands[6] == 2, "of images, only single storage images are supported");
+  CRSH_ASSERT(type.op == SpvOpTypeImage && type.operands[6] == 2,
+              "of images, only single storage images are supported");
   return Resource::storage_image;
 }
 

@@ -22,7 +22,8 @@ size_t rank(const DeviceInfo& device) {
 }
 
 bool matches(const DeviceInfo& device, const std::string& selector) {
-  return selector.empty() || lower(selector) == device.uuid || lower(device.name).find(lower(selector)) != std::string::npos;
+  return selector.empty() || lower(selector) == device.uuid ||
+         lower(device.name).find(lower(selector)) != std::string::npos;
 }
 
 /// "0: llvmpipe (cpu); 1: ..." with the reason where a device is unusable.
@@ -58,8 +59,9 @@ uint32_t select_device(const std::vector<DeviceInfo>& devices, const std::string
   if (!device) throw UserError("no Vulkan device is called '" + selector + "'; there are " + list(devices));
   if (device->unusable.empty()) return device->index;
   if (!selector.empty()) throw UserError("device " + device->name + " cannot be used: " + device->unusable);
-  throw UserError("no Vulkan device can be used (" + list(devices) + "): install the Debian package mesa-vulkan-drivers",
-                  Exit::no_device);
+  throw UserError(
+      "no Vulkan device can be used (" + list(devices) + "): install the Debian package mesa-vulkan-drivers",
+      Exit::no_device);
 }
 
 }  // namespace crsh::gpu

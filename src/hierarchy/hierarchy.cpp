@@ -92,16 +92,16 @@ void bound(gpu::Recorder& recorder, const In& in, Hierarchy& out, uint32_t index
 
 }  // namespace
 
-Range Level::children_of(Range nodes) const {
-  if (nodes.count == 0) return {};
+Range Level::children_of(Range wanted) const {
+  if (wanted.count == 0) return {};
   const auto boundary = [&](uint32_t node, uint32_t past) {  // first child of `node`, or of the node `past` it
     size_t s = 0;
     while (s + 1 < segments.size() && node >= segments[s].end()) ++s;
     const uint32_t child = child_segments[s].first + (node + past - segments[s].first) * most_children;
     return std::min(child, child_segments[s].end());
   };
-  const uint32_t first = boundary(nodes.first, 0);
-  return {first, boundary(nodes.end() - 1, 1) - first};
+  const uint32_t first = boundary(wanted.first, 0);
+  return {first, boundary(wanted.end() - 1, 1) - first};
 }
 
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& out) {

@@ -30,7 +30,7 @@ struct Level {
   uint32_t most_children = 0;         ///< of a node
 
   /// The children, on the level below, of a run of nodes.
-  [[nodiscard]] Range children_of(Range nodes) const;
+  [[nodiscard]] Range children_of(Range wanted) const;
 };
 
 /// Buffers are kept between batches and frames and grow when they must.

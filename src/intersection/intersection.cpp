@@ -54,13 +54,14 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
     }
 }
 
-void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, const gpu::Buffer& pixels,
-            const gpu::Buffer& paths) {
+void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, uint32_t first_surface,
+            const gpu::Buffer& pixels, const gpu::Buffer& paths) {
   const struct {
-    uint32_t first_ray, ray_count, surfaces, kind, light, hits_counter, digest_counter;
+    uint32_t first_ray, ray_count, surfaces, first_surface, kind, light, hits_counter, digest_counter;
   } push{segment.first,
          segment.count,
          in.batch.surfaces,
+         first_surface,
          segment.kind,
          segment.light,
          in.counter_row + shared::counter_ray_hits,

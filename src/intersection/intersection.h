@@ -32,8 +32,9 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
 void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& segment);
 
 /// Adds a segment's hits and digest to its counters (crsh-stats: hits, hits_digest). `pixels` and `paths` are the
-/// surfaces' diffuse and specular buffers, whose w name a ray's pixel and path.
-void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, const gpu::Buffer& pixels,
-            const gpu::Buffer& paths);
+/// surfaces' diffuse and specular buffers, whose w name a ray's pixel and path; the batch's slot 0 of each segment is
+/// surface `first_surface`.
+void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, uint32_t first_surface,
+            const gpu::Buffer& pixels, const gpu::Buffer& paths);
 
 }  // namespace crsh::intersection

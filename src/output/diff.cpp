@@ -104,7 +104,10 @@ Comparison compare(const Image& a, const Image& b, const std::vector<std::string
   if (a.format != b.format)
     throw UserError("one image is PNG, the other OpenEXR: compare two of one format", Exit::usage);
   check_layers(a, b, layers);
-  Comparison result{.mismatch = find_mismatch(a, b, layers, tolerance.exact), .width = a.width, .height = a.height};
+  Comparison result;
+  result.width = a.width;
+  result.height = a.height;
+  result.mismatch = find_mismatch(a, b, layers, tolerance.exact);
   if (!result.mismatch.empty()) return result;
   result.channels = names_of(a, layers);
   const size_t pixels = size_t(a.width) * a.height;

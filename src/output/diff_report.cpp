@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/diff.h"
+#include "output/json_text.h"
 #include "output/png.h"
 
 namespace crsh::output {
@@ -65,7 +66,7 @@ std::string diff_json(const Comparison& comparison, const Tolerance& tolerance, 
     json["mean_difference"] = comparison.mean;
     json["worst"] = worst_json(comparison.worst);
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string difference_png(const Comparison& comparison) {

@@ -15,6 +15,9 @@ class Progress {
 
   /// `write` gets the text (standard error by default).
   Progress(Mode mode, uint32_t frames, Write write = {});
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   /// Frame number `number`, the `index`th of all, is `share` (0..1) done. Shown ten times a second at most.
   void update(uint32_t number, uint32_t index, double share);

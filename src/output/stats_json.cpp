@@ -130,6 +130,4 @@ Json stats_json(const RunDescription& run, const Statistics& statistics) {
           {"memory", {{"device_peak_bytes", statistics.device_peak_bytes}}}};
 }
 
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 }  // namespace crsh::output

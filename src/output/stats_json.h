@@ -28,7 +28,4 @@ struct RunDescription {
 /// A device as the statistics and `crsh info --json` describe it.
 [[nodiscard]] nlohmann::ordered_json device_json(const gpu::DeviceInfo& device);
 
-/// The text of `json`, with its last newline. Bytes that are not UTF-8 (in file names) are replaced.
-[[nodiscard]] std::string text_of(const nlohmann::ordered_json& json);
-
 }  // namespace crsh::output

@@ -11,7 +11,7 @@ namespace {
 
 /// As sort_pass.glsl declares it.
 struct Push {
-  uint32_t count, lanes, run, shift, mask;
+  uint32_t count, lanes, run, first, steps, shift, mask;
 };
 
 /// One pass over `n` pairs by `bits` bits from bit `shift` on.
@@ -22,15 +22,24 @@ struct Pass {
 
   [[nodiscard]] uint32_t lanes() const { return (n + shape.run - 1) / shape.run; }
   [[nodiscard]] uint64_t slots() const { return uint64_t(lanes()) << bits; }
-  [[nodiscard]] Push push() const { return {n, lanes(), shape.run, shift, (1u << bits) - 1}; }
 };
+
+/// Runs a kernel over the pass's lanes, a part of their runs a dispatch: an invocation's loops must stay short.
+void dispatch_parts(gpu::Recorder& recorder, const gpu::Kernel& kernel, const Pass& pass,
+                    std::initializer_list<gpu::Argument> arguments) {
+  constexpr uint32_t steps = 131072;  // a quarter of them loop iterations
+  for (uint32_t first = 0; first < pass.shape.run; first += steps) {
+    const Push push{pass.n, pass.lanes(), pass.shape.run, first, steps, pass.shift, (1u << pass.bits) - 1};
+    recorder.dispatch(kernel, pass.lanes(), push, arguments, uint64_t(pass.lanes()) * std::min(steps, pass.shape.run));
+  }
+}
 
 /// Counts and scans: leaves in the histogram where each lane's next pair of each digit goes.
 void find_places(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffer& pairs, const Pass& pass) {
   grow(recorder, scratch.histogram, quad_bytes(pass.slots()), "sort.histogram");
   recorder.fill(scratch.histogram, 0, pass.slots());
   const gpu::Kernel count("primitives/sort_count", {{0, pass.shape.group}});
-  recorder.dispatch(count, pass.lanes(), pass.push(), {pairs, scratch.histogram}, pass.n);
+  dispatch_parts(recorder, count, pass, {pairs, scratch.histogram});
   scan(recorder, scratch.scan, scratch.histogram, scratch.histogram, pass.slots(), ScanKind::exclusive);
 }
 
@@ -39,22 +48,30 @@ void scatter(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffer& p
              bool values_only, const Pass& pass) {
   const gpu::Kernel kernel("primitives/sort_scatter",
                            {{0, pass.shape.group}, {1, values_only}, {2, pass.unstable}});
-  recorder.dispatch(kernel, pass.lanes(), pass.push(), {pairs, scratch.histogram, sorted}, pass.n);
+  dispatch_parts(recorder, kernel, pass, {pairs, scratch.histogram, sorted});
+}
+
+/// Fills up to whole quads with pairs that go last, whatever the digit. Returns how many pairs there are now.
+uint32_t pad(gpu::Recorder& recorder, const gpu::Buffer& pairs, uint32_t n) {
+  const uint32_t padded = (n + 3) / 4 * 4;
+  recorder.fill(pairs, UINT32_MAX, 2 * (padded - n), 2 * uint64_t(n));
+  return padded;
 }
 
 /// All passes, lowest digits first, each with an even share of the bits. `values`: the last pass writes there.
 void sort(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,
           const SortOptions& options, const gpu::Buffer* values) {
   CRSH_ASSERT(key_bits <= 32, "a sort by more than 32 bits");
-  CRSH_ASSERT(pairs.bytes() >= uint64_t(n) * 8, "a sort past its buffer's end");
-  CRSH_ASSERT(uint64_t(n) * 8 <= recorder.device().limits().max_binding, "a sort of more pairs than one binding holds");
+  CRSH_ASSERT(pairs.bytes() >= pair_bytes(n), "a sort past its buffer's end");
+  CRSH_ASSERT(pair_bytes(n) <= recorder.device().limits().max_binding, "a sort of more pairs than one binding holds");
   const SortShape shape = options.shape.value_or(sort_shape(recorder.device(), n));
   const uint32_t wanted = (key_bits + shape.digit_bits - 1) / shape.digit_bits;
   const uint32_t passes = values ? std::max(wanted, 1u) : wanted;
-  if (passes > (values ? 1u : 0u)) grow(recorder, scratch.pairs, std::max<uint64_t>(n, 2) * 8, "sort.pairs");
+  if (passes > (values ? 1u : 0u)) grow(recorder, scratch.pairs, pair_bytes(n), "sort.pairs");
+  const uint32_t padded = pad(recorder, pairs, n);
   for (uint32_t i = 0; i < passes; ++i) {
     const uint32_t shift = key_bits * i / passes, end = key_bits * (i + 1) / passes;
-    const Pass pass{n, shift, end - shift, shape, options.unstable};
+    const Pass pass{padded, shift, end - shift, shape, options.unstable};
     const bool last = values && i + 1 == passes;
     find_places(recorder, scratch, pairs, pass);
     scatter(recorder, scratch, pairs, last ? *values : scratch.pairs, last, pass);
@@ -66,8 +83,8 @@ void sort(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uin
 
 SortShape sort_shape(const gpu::Device& device, uint32_t n) {
   if (!device.info().software) return {4, 64, 64};
-  constexpr uint32_t fewest_lanes = 32, longest_run = 32768;
-  return {11, std::clamp((n + fewest_lanes - 1) / fewest_lanes, 1u, longest_run), 8};
+  constexpr uint32_t lanes = 32;
+  return {11, n / (4 * lanes) * 4 + 4, 8};
 }
 
 void sort_pairs(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,

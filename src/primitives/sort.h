@@ -12,7 +12,7 @@ namespace crsh::primitives {
 /// How a sort is cut up. Software devices like few lanes and wide digits, GPUs the opposite.
 struct SortShape {
   uint32_t digit_bits = 0;  ///< at most so many a pass; 1 to 11
-  uint32_t run = 0;         ///< pairs that one lane walks; at most 32,768
+  uint32_t run = 0;         ///< pairs that one lane walks, a part of them a dispatch; a multiple of 4
   uint32_t group = 0;       ///< lanes of a workgroup
 };
 [[nodiscard]] SortShape sort_shape(const gpu::Device& device, uint32_t n);
@@ -29,9 +29,13 @@ struct SortScratch {
   ScanScratch scan;
 };
 
+/// Bytes of `n` pairs, rounded up to the four that a lane loads together.
+[[nodiscard]] constexpr uint64_t pair_bytes(uint32_t n) { return (uint64_t(n) + 3) / 4 * 32; }
+
 /// Sorts `n` pairs, uvec2 (key, value), by the lowest `key_bits` (0 to 32) bits of their keys; the other bits must be 0
 /// for the result to be sorted by whole keys. Pairs with equal keys keep their order. `pairs` holds the result: it may
-/// have changed places with the scratch buffer, so handles taken before are stale. n pairs must fit one binding.
+/// have changed places with the scratch buffer, so handles taken before are stale. It has room for pair_bytes(n), which
+/// must fit one binding; what lies past the n pairs is overwritten.
 /// (Section 3.2.3: radix sort.)
 void sort_pairs(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,
                 const SortOptions& options = {});

@@ -9,6 +9,7 @@
 
 #include "assertion.h"
 #include "primitives/grow.h"
+#include "primitives/sort.h"
 
 namespace crsh::rays {
 namespace {
@@ -88,7 +89,7 @@ bool any_sorted(const Batch& batch, const Keys& keys) { return widest_hash(batch
 uint32_t hash(gpu::Recorder& recorder, const Batch& batch, const Keys& keys, const scene::Bounds& bounds,
               gpu::Buffer& pairs) {
   require_rising(batch.segments);
-  primitives::grow(recorder, pairs, uint64_t(batch.count) * 8, "rays.pairs");
+  primitives::grow(recorder, pairs, primitives::pair_bytes(batch.count), "rays.pairs");
   const uint32_t bits = widest_hash(batch, keys);
   const uint32_t segment_bits = batch.segments.empty() ? 0 : std::bit_width(batch.segments.size() - 1);
   CRSH_ASSERT(bits + segment_bits <= 32, "keys of more than 32 bits");

@@ -29,6 +29,8 @@ uint32_t skin_node(Document& document, uint64_t skin, uint32_t mesh_node, const 
     accessor.need_components({16});
     if (accessor.count() == 0) throw Fault(accessor.where() + " is empty");
     out.matrix = accessor.matrix_at(0);
+    for (int c = 0; c < 4; ++c)
+      if (!std::isfinite(glm::dot((*out.matrix)[c], glm::vec4(1)))) return mesh_node;
   }
   scene.nodes.push_back(out);
   return static_cast<uint32_t>(scene.nodes.size() - 1);
@@ -67,6 +69,7 @@ void read_perspective(Camera& out, const Fields& fields) {
   out.yfov = fields.needed_number("yfov");
   if (!(out.yfov > 0 && out.yfov < std::numbers::pi_v<float>)) throw Fault(fields.name_of("yfov") + " is not between 0 and 180 degrees");
   out.near_plane = fields.needed_number("znear");
+  if (!(out.near_plane > 0)) throw Fault(fields.name_of("znear") + " is not positive");
   if (const auto aspect = fields.number("aspectRatio"); aspect && *aspect > 0) out.aspect = aspect;
 }
 

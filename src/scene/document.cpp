@@ -11,7 +11,6 @@ namespace {
 
 using nlohmann::json;
 constexpr uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
-constexpr uint64_t most_work = uint64_t{1} << 30u;
 
 uint32_t word_at(std::span<const uint8_t> bytes, size_t offset) {
   return bytes[offset] | uint32_t{bytes[offset + 1]} << 8u | uint32_t{bytes[offset + 2]} << 16u |
@@ -77,7 +76,8 @@ void check_version(const Fields& root) {
 
 }  // namespace
 
-Document::Document(const std::filesystem::path& path) : folder_(path.parent_path()) {
+Document::Document(const std::filesystem::path& path, uint64_t most_work)
+    : folder_(path.parent_path()), work_left_(most_work) {
   const Bytes bytes = read_file(path);
   if (bytes.empty()) throw Fault("is empty", "give a .gltf or .glb file");
   if (bytes.size() >= 4 && word_at(bytes, 0) == glb_magic) {
@@ -121,8 +121,8 @@ std::span<const uint8_t> Document::view(uint64_t index) {
 }
 
 void Document::spend(uint64_t elements) {
-  spent_ += elements;
-  if (spent_ > most_work) throw Fault("is too large to be drawn", "simplify the scene");
+  if (elements > work_left_) throw Fault("is too large to be drawn", "simplify the scene");
+  work_left_ -= elements;
 }
 
 }  // namespace crsh::scene

@@ -16,7 +16,8 @@ namespace crsh::scene {
 /// One file, .gltf or .glb (told apart by content). Buffers are read when first asked for, and every range is checked.
 class Document {
  public:
-  explicit Document(const std::filesystem::path& path);
+  /// `most_work`: how many elements spend() allows.
+  explicit Document(const std::filesystem::path& path, uint64_t most_work = uint64_t{1} << 30u);
   ~Document();
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
@@ -37,7 +38,7 @@ class Document {
   std::unique_ptr<nlohmann::json> json_;
   std::optional<Bytes> binary_;  // the GLB's BIN chunk
   std::unordered_map<uint64_t, Bytes> buffers_;
-  uint64_t spent_ = 0;
+  uint64_t work_left_;
 };
 
 }  // namespace crsh::scene

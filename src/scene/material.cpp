@@ -40,6 +40,7 @@ class TextureReader {
   TextureUse use(const Fields& fields, const char* key) {
     const std::optional<Fields> info = fields.object(key);
     if (!info) return {};
+    if (info->extension("KHR_texture_transform")) notes_.add("extension KHR_texture_transform");
     TextureUse out{texture(info->needed_whole("index")), static_cast<uint32_t>(std::min<uint64_t>(info->whole("texCoord", 0), 2))};
     if (out.texcoord > 1) {
       notes_.add("texture coordinates past TEXCOORD_1 (TEXCOORD_0 is used)");

@@ -124,7 +124,7 @@ class Descent {
     LevelScratch& lists = scratch_.levels[index];
     const uint32_t pairs = bases.of(nodes.end()) - bases.of(nodes.first);
     if (index == 0) {
-      intersect_({lists.pairs, lists.bases, first_base, nodes.first, nodes.end(), pairs, bases.of(nodes.first)});
+      intersect_({lists.pairs, bases_of(lists, index), first_base, nodes.first, nodes.end(), pairs, bases.of(nodes.first)});
       return;
     }
     const Range children = level(index).children_of(nodes);
@@ -192,6 +192,7 @@ class Descent {
 
   /// Pairs of one list: what a binding holds, and a share of the memory that is left for each level's lists.
   [[nodiscard]] uint64_t pair_capacity() const {
+    if (in_.most_pairs) return in_.most_pairs;
     constexpr uint64_t bytes_a_pair = sizeof(shared::HitPair) + 8;  // masks and growth besides
     uint64_t held = 0;
     for (const LevelScratch& lists : scratch_.levels) held += lists.pairs.bytes();

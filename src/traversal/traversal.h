@@ -45,6 +45,7 @@ struct In {
   const gpu::Buffer& counters;  ///< uvec2, 64 bits each
   uint32_t counter_row = 0;     ///< first counter of this bounce and kind
   uint64_t submit_work = 0;     ///< tests a submit
+  uint64_t most_pairs = 0;      ///< of a list; 0: what memory allows
   uint32_t drop_every = 0;      ///< test-only mutation: every so many-th pair is dropped; 0: none
 };
 

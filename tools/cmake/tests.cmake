@@ -36,6 +36,4 @@ foreach(folder unit stages properties images cli robustness viewer)
     endif()
   endforeach()
   add_test(NAME ${folder} COMMAND test_${folder})
-  set_tests_properties(${folder} PROPERTIES ENVIRONMENT
-    "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0")
 endforeach()

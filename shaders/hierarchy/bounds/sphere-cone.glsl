@@ -17,7 +17,6 @@ const float direction_error = 4.76837158203125e-7;
 /// Directions whose sum is shorter than this lie opposite one another: there is no axis between them.
 const float least_sum = 1e-4;
 
-
 float limited_tangent(float tangent) { return tangent <= widest_tangent ? tangent : wide; }
 
 /// Tangent of the angle whose chord on the unit sphere is `chord`.
@@ -83,13 +82,13 @@ vec4 merged_cone_and_direction(vec4 cone, vec3 r) {
   return hopeless ? vec4(x, wide) : vec4(axis, max(to_new, to_old));
 }
 
-/// Equations 5 and 6 (the latter gives an angle, not its cosine).
+/// Equations 5 and 6 (the latter gives an angle, not its cosine). The half of the angle between the axes is measured
+/// from the rounded axis: near-opposite axes do not cancel to its exact middle.
 vec4 merged_cones(vec4 a, vec4 b) {
   precise vec3 sum = a.xyz + b.xyz;
-  precise vec3 difference = a.xyz - b.xyz;
   vec3 axis = exact_normalize(sum);
-  precise float half_tangent = (exact_length(difference) + 2.0 * direction_error) / exact_length(sum) * bound_slack;
-  float between = largest(sum) < least_sum ? wide : limited_tangent(half_tangent);
+  float half_tangent = tangent_of_chord(max(chord(axis, a.xyz), chord(axis, b.xyz)));
+  float between = largest(sum) < least_sum ? wide : half_tangent;
   return vec4(axis, tangent_of_sum(between, max(a.w, b.w)));
 }
 

@@ -1,0 +1,126 @@
+// The preset and its switches.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "cli/render_options.h"
+#include "cli/rows.h"
+#include "gpu/program.h"
+#include "rays/hash.h"
+
+namespace crsh::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string of_preset = "the algorithm's";
+
+/// Names of the node bounds that the build found.
+std::vector<std::string> bound_names() {
+  constexpr std::string_view prefix = "hierarchy/fit@", suffix = ".comp";
+  std::vector<std::string> names;
+  for (const std::string_view file : gpu::embedded_files())
+    if (file.starts_with(prefix) && file.ends_with(suffix))
+      names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
+  return names;
+}
+
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const RayKind& kind : ray_kinds) names.emplace_back(kind.name);
+  return names;
+}
+
+/// "KIND=VALUE" or "VALUE": calls `set` with every kind that is meant, and the value.
+template <class Set>
+void for_kinds(const std::string& given, Set set) {
+  const size_t equals = given.find('=');
+  const std::string value = equals == std::string::npos ? given : given.substr(equals + 1);
+  if (equals != std::string::npos) return set(parse_choice(given.substr(0, equals), kind_names()), value);
+  for (size_t kind = 0; kind < kind_count; ++kind) set(kind, value);
+}
+
+/// A kind's part of a value as an object by the kinds' names.
+template <class Get>
+Json by_kind(Get get) {
+  Json values;
+  for (size_t kind = 0; kind < kind_count; ++kind) values[std::string(ray_kinds[kind].name)] = get(kind);
+  return values;
+}
+
+std::string key_named(size_t kind, const std::string& name) {
+  if (name == "best") return std::string(ray_kinds[kind].best_key);
+  std::vector<std::string> allowed = rays::key_names();
+  allowed.insert(allowed.begin(), "best");
+  return allowed[parse_choice(name, allowed)];
+}
+
+Option algorithm_option(AlgorithmOptions& algorithm) {
+  return {.names = "--algorithm", .value = "NAME",
+          .help = fmt::format("Preset of the switches below: {}. They change one thing of it each.",
+                              fmt::join(preset_names(), ", ")),
+          .set = [&algorithm](const std::string& name) { algorithm = preset(name); },
+          .get = [&algorithm] { return algorithm.preset; }};
+}
+
+Option key_option(AlgorithmOptions& algorithm) {
+  return {.names = "--key", .value = "[KIND=]NAME",
+          .help = fmt::format("Sort key of one kind of rays ({}) or of all: best, {}. Repeats.",
+                              fmt::join(kind_names(), ", "), fmt::join(rays::key_names(), ", ")),
+          .set = [&algorithm](const std::string& given) {
+            for_kinds(given, [&](size_t kind, const std::string& name) { algorithm.keys[kind] = key_named(kind, name); });
+          },
+          .get = [&algorithm] {
+            return by_kind([&](size_t kind) { return algorithm.keys[kind].empty() ? "creation" : algorithm.keys[kind]; });
+          },
+          .repeats = true, .initial = of_preset};
+}
+
+Option levels_option(AlgorithmOptions& algorithm) {
+  return {.names = "--levels", .value = "[KIND=]N", .help = "Levels of nodes above the rays, 1 to 8. Repeats.",
+          .set = [&algorithm](const std::string& given) {
+            for_kinds(given, [&](size_t kind, const std::string& value) {
+              algorithm.levels[kind] = static_cast<uint32_t>(parse_integer(value, 1, 8));
+            });
+          },
+          .get = [&algorithm] { return by_kind([&](size_t kind) { return algorithm.levels[kind]; }); },
+          .repeats = true, .initial = of_preset};
+}
+
+Option bound_option(AlgorithmOptions& algorithm) {
+  const std::vector<std::string> names = bound_names();
+  return {.names = "--bound", .value = "NAME", .help = fmt::format("Bound of a node: {}.", fmt::join(names, ", ")),
+          .set = [&algorithm, names](const std::string& name) { algorithm.bound = names[parse_choice(name, names)]; },
+          .get = [&algorithm] { return algorithm.bound; },
+          .initial = of_preset};
+}
+
+Option of_the_preset(Option option) { return with_default(of_preset, std::move(option)); }
+
+}  // namespace
+
+OptionGroup algorithm_options(AlgorithmOptions& algorithm) {
+  const std::vector<std::string> off_on = {"off", "on"};
+  return {"Algorithm (the picture is the same, bit for bit)",
+          {algorithm_option(algorithm),
+           key_option(algorithm),
+           of_the_preset(choice("--ray-order", "Order in which rays are created.", algorithm.ray_order, {"scanline", "tiles"})),
+           of_the_preset(choice("--compression", "Compress neighbours of one key into chunks before the sort.",
+                                algorithm.compression, off_on)),
+           of_the_preset(choice("--nodes", "Where nodes end: after every N rays.", algorithm.nodes, {"fixed"})),
+           of_the_preset(integer("--arity", "N", "Children of a node, 2 to 64.", algorithm.arity, 2, 64)),
+           levels_option(algorithm),
+           bound_option(algorithm),
+           of_the_preset(choice("--fit", "Make a node's bound of its children's, or of all its rays.", algorithm.fit,
+                                {"merged", "all"})),
+           of_the_preset(choice("--interval", "Test the distances, too, that a node's rays can reach.",
+                                algorithm.interval, off_on)),
+           of_the_preset(choice("--mesh-culling", "Test nodes against whole meshes first.", algorithm.mesh_culling, off_on)),
+           of_the_preset(choice("--batches", "Sort the kinds of rays of a bounce together or one after the other.",
+                                algorithm.mixed_batches, {"separate", "mixed"}))}};
+}
+
+}  // namespace crsh::cli

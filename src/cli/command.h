@@ -1,0 +1,67 @@
+#pragma once
+// A subcommand: its options as one table, from which parsing, help, the effective options and the EXR attributes come.
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace crsh::cli {
+
+/// A row of the table, bound to the variable that it sets.
+struct Option {
+  std::string names;        ///< "-o,--output": the last one names it in JSON and messages
+  std::string value;        ///< placeholder in the help; empty: a flag
+  std::string help;
+  /// Takes one value ("true" for a flag); throws UserError that says what is allowed.
+  std::function<void(const std::string&)> set;
+  /// The effective value, null where the scene decides; empty: no part of the effective options.
+  std::function<nlohmann::ordered_json()> get = {};
+  bool repeats = false;     ///< every value is set; else only the last one
+  bool pixels = false;      ///< changes pixels: an attribute of the EXR
+  std::string initial = {}; ///< the default as the help shows it; empty: as `get` has it
+  bool hidden = false;      ///< for tests: not in the help, and in the effective options only when set
+
+  /// The last of `names`, without its dashes.
+  [[nodiscard]] std::string key() const;
+};
+
+struct OptionGroup {
+  std::string title;
+  std::vector<Option> options;
+};
+
+struct Positional {
+  std::string name;  ///< "SCENE"
+  bool required = true;
+  std::function<void(const std::string&)> set;
+};
+
+struct Command {
+  std::string name, summary;
+  std::vector<Positional> positionals;
+  std::vector<OptionGroup> groups;
+  std::string epilogue;                           ///< examples: the end of the help
+  std::function<void(const std::vector<std::string>&)> run;  ///< gets the whole command line as it was given
+};
+
+/// All subcommands, in the order of the help.
+[[nodiscard]] std::vector<Command> commands();
+// One file each.
+[[nodiscard]] Command render_command();
+[[nodiscard]] Command diff_command();
+[[nodiscard]] Command info_command();
+
+/// Sets everything that `arguments` (what follows the subcommand) name. Returns false where they ask for help.
+/// Throws UserError (wrong usage): one line that names the option, the value and what is allowed.
+[[nodiscard]] bool parse(const Command& command, const std::vector<std::string>& arguments);
+
+/// Every effective value, by the option's name; `only_pixels`: of those that change pixels.
+[[nodiscard]] nlohmann::ordered_json effective_options(const std::vector<OptionGroup>& groups, bool only_pixels = false);
+
+/// `crsh help COMMAND`.
+[[nodiscard]] std::string help_of(const Command& command);
+/// `crsh help`.
+[[nodiscard]] std::string general_help();
+
+}  // namespace crsh::cli

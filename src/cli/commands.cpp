@@ -1,0 +1,9 @@
+// The list of subcommands.
+
+#include "cli/command.h"
+
+namespace crsh::cli {
+
+std::vector<Command> commands() { return {render_command(), diff_command(), info_command()}; }
+
+}  // namespace crsh::cli

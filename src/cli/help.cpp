@@ -1,0 +1,90 @@
+// Help texts, made from the tables of options.
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "cli/command.h"
+#include "cli/values.h"
+
+namespace crsh::cli {
+namespace {
+
+constexpr size_t text_column = 27, line_length = 80;
+
+/// `text` from text_column on, broken between words.
+std::string hanging(const std::string& text) {
+  std::istringstream words(text);
+  std::string result, word;
+  size_t column = text_column;
+  while (words >> word) {
+    if (column > text_column && column + 1 + word.size() > line_length) {
+      result += "\n" + std::string(text_column, ' ');
+      column = text_column;
+    } else if (column > text_column) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+  }
+  return result + "\n";
+}
+
+std::string row(const std::string& left, const std::string& text) {
+  if (left.size() + 2 > text_column) return left + "\n" + std::string(text_column, ' ') + hanging(text);
+  return fmt::format("{:<{}}", left, text_column) + hanging(text);
+}
+
+std::string default_of(const Option& option) {
+  if (!option.initial.empty() || !option.get) return option.initial;
+  const nlohmann::ordered_json value = option.get();
+  return value.is_null() || value.is_boolean() ? "" : text_of(value);
+}
+
+std::string option_row(const Option& option) {
+  const size_t comma = option.names.find(',');
+  std::string names = comma == std::string::npos
+                          ? "    " + option.names
+                          : option.names.substr(0, comma) + ", " + option.names.substr(comma + 1);
+  if (!option.value.empty()) names += " " + option.value;
+  const std::string initial = default_of(option);
+  return row("  " + names, option.help + (initial.empty() ? "" : " [" + initial + "]"));
+}
+
+std::string usage_of(const Command& command) {
+  std::string usage = "Usage: crsh " + command.name;
+  for (const Positional& positional : command.positionals)
+    usage += positional.required ? " " + positional.name : " [" + positional.name + "]";
+  return usage + " [OPTION...]\n";
+}
+
+}  // namespace
+
+std::string help_of(const Command& command) {
+  std::string text = usage_of(command) + "\n" + command.summary + "\n";
+  for (const OptionGroup& group : command.groups) {
+    std::string rows;
+    for (const Option& option : group.options)
+      if (!option.hidden) rows += option_row(option);
+    if (!rows.empty()) text += "\n" + group.title + "\n" + rows;
+  }
+  return text + "\n" + command.epilogue;
+}
+
+std::string general_help() {
+  std::string text =
+      "Usage: crsh COMMAND ...\n\n"
+      "Renders glTF scenes with ray-traced shadows, reflections and refractions on any\n"
+      "Vulkan device, through a hierarchy over the rays.\n\nCommands:\n";
+  for (const Command& command : commands()) {
+    const size_t end = command.summary.find('\n');
+    text += fmt::format("  {:<10}{}\n", command.name, command.summary.substr(0, end));
+  }
+  return text +
+         "  help      Says more about a command: crsh help render\n"
+         "\ncrsh --version says which version this is.\n"
+         "\nExit status: 0 done, 1 failed, 2 wrong usage, 3 images differ, 77 no usable\nVulkan device.\n";
+}
+
+}  // namespace crsh::cli

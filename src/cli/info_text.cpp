@@ -1,0 +1,138 @@
+#include "cli/info_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/values.h"
+#include "output/stats_json.h"
+
+namespace crsh::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Bounds at time 0 of the first animation.
+scene::Bounds bounds_of(const scene::Scene& scene) {
+  const auto animation = scene.animations.empty() ? std::nullopt : std::optional(0u);
+  return scene.bounds(scene.pose(0, animation));
+}
+
+Json bounds_json(const scene::Bounds& bounds) {
+  if (bounds.empty()) return nullptr;
+  const auto corner = [](const glm::vec3& v) { return Json{json_of(v.x), json_of(v.y), json_of(v.z)}; };
+  return {{"low", corner(bounds.low)}, {"high", corner(bounds.high)}};
+}
+
+std::string_view type_of(const scene::Light& light) {
+  switch (light.type) {
+    case scene::LightType::point: return "point";
+    case scene::LightType::spot: return "spot";
+    case scene::LightType::directional: break;
+  }
+  return "directional";
+}
+
+std::string_view type_of(const scene::Camera& camera) { return camera.orthographic ? "orthographic" : "perspective"; }
+
+template <class Items, class Describe>
+Json list_of(const Items& items, Describe describe) {
+  Json list = Json::array();
+  for (const auto& item : items) list.push_back(describe(item));
+  return list;
+}
+
+/// "2: front (perspective), 1 (perspective)": the count, then each by name or index.
+template <class Items, class Detail>
+std::string counted(const Items& items, Detail detail) {
+  std::vector<std::string> parts;
+  for (size_t index = 0; index < items.size(); ++index) {
+    const std::string& name = items[index].name;
+    parts.push_back(fmt::format("{} ({})", name.empty() ? std::to_string(index) : name, detail(items[index])));
+  }
+  return parts.empty() ? "0" : fmt::format("{}: {}", parts.size(), fmt::join(parts, ", "));
+}
+
+std::string line(std::string_view title, const std::string& text) { return fmt::format("{:<15}{}\n", title, text); }
+
+std::string scenes_text(const scene::Scene& scene) {
+  return scene.scene_names.size() < 2 ? std::to_string(scene.scene_names.size())
+                                      : fmt::format("{}: {}; this is {}", scene.scene_names.size(),
+                                                    fmt::join(scene.scene_names, ", "), scene.name);
+}
+
+/// The last one is not the file's: it stands for "none".
+size_t material_count(const scene::Scene& scene) { return scene.materials.empty() ? 0 : scene.materials.size() - 1; }
+
+std::string bounds_text(const scene::Bounds& bounds) {
+  if (bounds.empty()) return "nothing is drawn";
+  const glm::vec3 size = bounds.high - bounds.low;
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} m, from {:.4g},{:.4g},{:.4g} to {:.4g},{:.4g},{:.4g}", size.x, size.y,
+                     size.z, bounds.low.x, bounds.low.y, bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z);
+}
+
+}  // namespace
+
+std::string devices_text(const std::vector<gpu::DeviceInfo>& devices) {
+  std::string text;
+  for (const gpu::DeviceInfo& device : devices)
+    text += fmt::format("{}: {}\n   {}, driver {} {}, Vulkan {}, subgroups of {}\n   UUID {}\n   {}\n", device.index,
+                        device.name, device.type, device.driver, device.driver_version, device.api_version,
+                        device.subgroup_size, device.uuid,
+                        device.unusable.empty() ? "usable" : "not usable: " + device.unusable);
+  return text;
+}
+
+Json devices_json(const std::vector<gpu::DeviceInfo>& devices) {
+  const Json list = list_of(devices, [](const gpu::DeviceInfo& device) {
+    Json json = {{"index", device.index}};
+    json.update(output::device_json(device));
+    json["uuid"] = device.uuid;
+    json["usable"] = device.unusable.empty();
+    json["reason"] = device.unusable.empty() ? Json() : Json(device.unusable);
+    return json;
+  });
+  return {{"schema", "crsh-info/1"}, {"devices", list}};
+}
+
+std::string scene_text(const scene::Scene& scene) {
+  const auto light = [](const scene::Light& item) { return fmt::format("{}, {:.4g}", type_of(item), item.intensity); };
+  const auto animation = [](const scene::Animation& item) { return fmt::format("{:.4g} s", item.duration); };
+  return line("scenes", scenes_text(scene)) +
+         line("triangles", fmt::format("{} drawn, instances expanded", scene.triangle_count())) +
+         line("meshes", std::to_string(scene.meshes.size())) +
+         line("instances", std::to_string(scene.instances.size())) +
+         line("materials", std::to_string(material_count(scene))) +
+         line("textures", std::to_string(scene.textures.size())) +
+         line("lights", counted(scene.lights, light)) +
+         line("cameras", counted(scene.cameras, [](const scene::Camera& camera) { return type_of(camera); })) +
+         line("animations", counted(scene.animations, animation)) +
+         line("bounds", bounds_text(bounds_of(scene))) +
+         line("not supported", scene.unsupported.empty() ? "nothing" : fmt::format("{}", fmt::join(scene.unsupported, "; ")));
+}
+
+Json scene_json(const scene::Scene& scene) {
+  const auto light = [](const scene::Light& item) {
+    return Json{{"name", item.name}, {"type", type_of(item)}, {"intensity", json_of(item.intensity)}};
+  };
+  const auto camera = [](const scene::Camera& item) { return Json{{"name", item.name}, {"type", type_of(item)}}; };
+  const auto animation = [](const scene::Animation& item) {
+    return Json{{"name", item.name}, {"duration", json_of(item.duration)}};
+  };
+  return {{"schema", "crsh-info/1"},
+          {"scene",
+           {{"path", scene.path.string()},
+            {"name", scene.name},
+            {"scenes", scene.scene_names},
+            {"triangles", scene.triangle_count()},
+            {"meshes", scene.meshes.size()},
+            {"instances", scene.instances.size()},
+            {"materials", material_count(scene)},
+            {"textures", scene.textures.size()},
+            {"lights", list_of(scene.lights, light)},
+            {"cameras", list_of(scene.cameras, camera)},
+            {"animations", list_of(scene.animations, animation)},
+            {"bounds", bounds_json(bounds_of(scene))},
+            {"unsupported", scene.unsupported}}}};
+}
+
+}  // namespace crsh::cli

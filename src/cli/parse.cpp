@@ -1,0 +1,102 @@
+// Parsing by CLI11; what a value means is the table's.
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/command.h"
+#include "error.h"
+
+namespace crsh::cli {
+namespace {
+
+[[noreturn]] void misuse(const Command& command, const std::string& what) {
+  throw UserError(fmt::format("{} (see crsh help {})", what, command.name), Exit::usage);
+}
+
+/// An option or positional of the table and what CLI11 collects for it.
+template <class Row>
+struct Collected {
+  const Row* row;
+  CLI::Option* found;
+};
+
+CLI::Option* declare(CLI::App& app, const Option& option) {
+  CLI::Option* declared = option.value.empty() ? app.add_flag(option.names) : app.add_option(option.names);
+  if (!option.value.empty()) declared->allow_extra_args(false);
+  return declared->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void set(const Option& option, const std::string& value) {
+  try {
+    option.set(value);
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("--{} {}: {}", option.key(), value.empty() ? "''" : value, error.what()),
+                    error.status());
+  }
+}
+
+void set_all(const Collected<Option>& collected) {
+  const auto& values = collected.found->results();
+  if (values.empty()) return;
+  const size_t first = collected.row->repeats ? 0 : values.size() - 1;
+  for (size_t index = first; index < values.size(); ++index) set(*collected.row, values[index]);
+}
+
+void refuse_unknown(const Command& command, const std::vector<std::string>& unknown) {
+  if (unknown.empty()) return;
+  const bool option = unknown[0].size() > 1 && unknown[0][0] == '-';
+  misuse(command, fmt::format("{}: {}", unknown[0], option ? "no such option" : "one argument too many"));
+}
+
+/// CLI11's own errors: an option without its value, and the like.
+void collect(CLI::App& app, const Command& command, std::vector<std::string> arguments) {
+  std::ranges::reverse(arguments);  // CLI11 takes them from the back
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    misuse(command, error.what());
+  }
+}
+
+}  // namespace
+
+std::string Option::key() const { return names.substr(names.rfind("--") + 2); }
+
+bool parse(const Command& command, const std::vector<std::string>& arguments) {
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  CLI::Option* help = app.add_flag("-h,--help");
+  std::vector<Collected<Option>> options;
+  std::vector<Collected<Positional>> positionals;
+  for (const OptionGroup& group : command.groups)
+    for (const Option& option : group.options) options.push_back({&option, declare(app, option)});
+  for (const Positional& positional : command.positionals)
+    positionals.push_back({&positional, app.add_option(positional.name)});
+
+  collect(app, command, arguments);
+  if (help->count()) return false;
+  refuse_unknown(command, app.remaining());
+  for (const auto& [positional, found] : positionals) {
+    if (positional->required && !found->count()) misuse(command, positional->name + " is missing");
+    if (found->count()) positional->set(found->results().front());
+  }
+  for (const auto& option : options) set_all(option);
+  return true;
+}
+
+nlohmann::ordered_json effective_options(const std::vector<OptionGroup>& groups, bool only_pixels) {
+  auto values = nlohmann::ordered_json::object();
+  for (const OptionGroup& group : groups) {
+    for (const Option& option : group.options) {
+      if (!option.get || (only_pixels && !option.pixels)) continue;
+      nlohmann::ordered_json value = option.get();
+      if (!value.is_null() || !(option.hidden || only_pixels)) values[option.key()] = std::move(value);
+    }
+  }
+  return values;
+}
+
+}  // namespace crsh::cli

@@ -1,0 +1,172 @@
+// crsh render: loads, renders, writes.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/render_checks.h"
+#include "cli/render_options.h"
+#include "cli/values.h"
+#include "frame/renderer.h"
+#include "output/exposure.h"
+#include "output/exr.h"
+#include "output/json_text.h"
+#include "output/png.h"
+#include "output/progress.h"
+#include "output/stats_json.h"
+#include "output/whole_file.h"
+#include "scene/scene.h"
+
+namespace crsh::cli {
+namespace {
+
+const char* const examples =
+    "Examples:\n"
+    "  crsh render scene.glb -o picture.png\n"
+    "  crsh render scene.glb -o picture.exr -o picture.png --size 1920x1080 --samples 4\n"
+    "  crsh render scene.glb -o picture.png --eye 0,1.5,4 --target 0,1,0 --light 2,3,2\n"
+    "  crsh render scene.glb -o 'film-{frame}.png' --frames 0..47 --fps 24\n"
+    "  crsh render scene.glb -o - --quiet > picture.png\n"
+    "  crsh render scene.glb -o picture.exr --algorithm crsh-2017 --stats counters.json\n";
+
+/// What one run carries from frame to frame.
+struct Run {
+  RenderCommand& command;
+  Renderer& renderer;
+  output::Progress& progress;
+  std::optional<double> exposure;  ///< of PNG files, once known: an automatic one is the first frame's
+  uint64_t clamped = 0;            ///< half values, in all files
+};
+
+/// A line on standard error, unless --quiet.
+void say(const RenderCommand& command, const std::string& line) {
+  if (!command.quiet) fmt::print(stderr, "{}\n", line);
+}
+
+output::Progress::Mode progress_mode(const RenderCommand& command) {
+  using Mode = output::Progress::Mode;
+  if (command.progress == ProgressChoice::json) return Mode::json;
+  const bool shown = command.progress == ProgressChoice::automatic && !command.quiet && ::isatty(STDERR_FILENO);
+  return shown ? Mode::bar : Mode::none;
+}
+
+/// The options that change pixels, with the frame's own time.
+output::Attributes attributes_of(RenderCommand& command, double seconds) {
+  nlohmann::ordered_json values = effective_options(render_options(command), true);
+  values["time"] = seconds;
+  output::Attributes attributes;
+  for (const auto& [name, value] : values.items()) attributes.emplace_back("crsh:" + name, text_of(value));
+  return attributes;
+}
+
+/// Settles the exposure by the first picture, and says so when it shows little.
+double exposure_of(Run& run, const Layer& beauty) {
+  if (run.exposure) return *run.exposure;
+  const auto& asked = run.command.exposure;
+  run.exposure = asked ? double(*asked) : output::automatic_exposure(beauty);
+  run.progress.clear();
+  if (!asked) say(run.command, fmt::format("exposure: {}", *run.exposure));
+  if (const auto advice = output::exposure_advice(beauty, *run.exposure)) say(run.command, *advice);
+  return *run.exposure;
+}
+
+void write_picture(Run& run, const Picture& picture, const output::PathPattern& pattern, const FrameTask& task) {
+  const std::string path = pattern.at(task.number);
+  if (pattern.format() == output::Format::exr) {
+    run.clamped += output::write_exr(path, picture, run.command.layers, attributes_of(run.command, task.seconds));
+  } else {
+    const Layer& beauty = *picture.find("");
+    const std::string bytes = output::encode_png(beauty, picture.width, picture.height, exposure_of(run, beauty));
+    pattern.to_stdout() ? output::write_stdout(bytes) : output::write_whole(path, bytes);
+  }
+  run.progress.written(path);
+}
+
+/// Renders all frames; returns the last picture without its layers, for the statistics.
+Picture render_frames(Run& run) {
+  Picture picture;
+  const std::vector<FrameTask> tasks = frame_tasks(run.command);
+  for (uint32_t index = 0; index < tasks.size(); ++index) {
+    const FrameTask& task = tasks[index];
+    picture = run.renderer.render(task.seconds, [&](double done) { run.progress.update(task.number, index, done); });
+    run.progress.update(task.number, index, 1);
+    for (const output::PathPattern& pattern : run.command.outputs) write_picture(run, picture, pattern, task);
+  }
+  run.progress.clear();
+  picture.layers.clear();
+  return picture;
+}
+
+void write_stats(const Run& run, const gpu::Device& device, const Picture& last, const std::vector<std::string>& line) {
+  const RenderCommand& command = run.command;
+  const output::RunDescription description{.command = line,
+                                           .options = effective_options(render_options(run.command)),
+                                           .device = device.info(),
+                                           .scene = command.scene,
+                                           .world_to_camera = last.world_to_camera,
+                                           .world_to_ndc = last.world_to_ndc,
+                                           .width = last.width,
+                                           .height = last.height,
+                                           .samples = command.options.samples,
+                                           .algorithm = command.options.algorithm.preset};
+  const std::string text = output::json_text(output::stats_json(description, run.renderer.statistics()));
+  command.stats == "-" ? output::write_stdout(text) : output::write_whole(command.stats, text);
+}
+
+/// Milliseconds a stage, the mean over all frames.
+void say_stage_times(const RenderCommand& command, const Statistics& statistics) {
+  if (!command.verbose || statistics.frames.empty()) return;
+  const auto row = [&](std::string_view name, double sum) {
+    say(command, fmt::format("{:<20}{:>12.2f} ms", name, sum / double(statistics.frames.size())));
+  };
+  double total = 0;
+  for (const FrameTime& frame : statistics.frames) total += frame.total_ms;
+  for (size_t stage = 0; stage < gpu::stage_count; ++stage) {
+    double sum = 0;
+    for (const FrameTime& frame : statistics.frames) sum += frame.stage_ms[stage];
+    row(gpu::stage_names[stage], sum);
+  }
+  row("frame, wall clock", total);
+}
+
+void say_what_runs(const RenderCommand& command, const scene::Scene& scene, const gpu::DeviceInfo& device) {
+  if (!scene.unsupported.empty())
+    say(command, fmt::format("{}: not supported and left out: {}", command.scene, fmt::join(scene.unsupported, "; ")));
+  say(command, fmt::format("device: {} ({} {}), {}", device.name, device.driver, device.driver_version, device.type));
+}
+
+void run_render(RenderCommand& command, const std::vector<std::string>& line) {
+  check_combinations(command);
+  check_places(command);
+  const scene::Scene scene = scene::load(command.scene, command.options.scene);
+  gpu::Device device(command.device);
+  say_what_runs(command, scene, device.info());
+  Renderer renderer(device, scene, command.options);
+  command.options = renderer.options();
+  for (const std::string& note : renderer.notes()) say(command, note);
+
+  const auto frames = static_cast<uint32_t>(frame_tasks(command).size());
+  output::Progress progress(progress_mode(command), frames);
+  Run run{command, renderer, progress, {}};
+  const Picture last = render_frames(run);
+  if (run.clamped) say(command, fmt::format("{} values beyond 65504, the largest half, were clamped to it", run.clamped));
+  if (!command.stats.empty()) write_stats(run, device, last, line);
+  say_stage_times(command, renderer.statistics());
+}
+
+}  // namespace
+
+Command render_command() {
+  auto command = std::make_shared<RenderCommand>();
+  return {.name = "render",
+          .summary = "Renders a glTF scene (.gltf or .glb) to OpenEXR or PNG.",
+          .positionals = {{.name = "SCENE", .set = [command](const std::string& path) { command->scene = path; }}},
+          .groups = render_options(*command),
+          .epilogue = examples,
+          .run = [command](const std::vector<std::string>& line) { run_render(*command, line); }};
+}
+
+}  // namespace crsh::cli

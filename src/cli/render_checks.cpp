@@ -1,0 +1,60 @@
+#include "cli/render_checks.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "error.h"
+#include "output/whole_file.h"
+
+namespace crsh::cli {
+namespace {
+
+[[noreturn]] void misuse(const std::string& what) { throw UserError(what + " (see crsh help render)", Exit::usage); }
+
+void check_outputs(const RenderCommand& command) {
+  if (command.outputs.empty()) misuse("-o FILE is missing: where shall the picture go");
+  const auto on_stdout = std::ranges::count_if(command.outputs, &output::PathPattern::to_stdout);
+  if (on_stdout + (command.stats == "-") > 1) misuse("two outputs on standard output: give one of them a file");
+  if (on_stdout && ::isatty(STDOUT_FILENO)) misuse("-o -: standard output is a terminal: redirect it, or name a file");
+  if (!command.frames || command.frames->first == command.frames->last) return;
+  for (const output::PathPattern& pattern : command.outputs)
+    if (!pattern.has_frame()) misuse(fmt::format("-o {}: several frames need {{frame}} in the path", pattern.text()));
+}
+
+void check_view(const ViewOption& view, const std::string& camera) {
+  if (!camera.empty() && (view.eye || view.target)) misuse("--camera is one of the file's, --eye and --target your own: give one");
+  if (view.eye && view.target && *view.eye == *view.target) misuse("--eye and --target are the same point");
+}
+
+/// Files of all frames, each once: throws where one is named twice.
+void check_distinct(const RenderCommand& command) {
+  std::set<std::filesystem::path> seen;
+  const auto add = [&](const std::string& path) {
+    if (path != "-" && !seen.insert(std::filesystem::path(path).lexically_normal()).second)
+      misuse(path + ": two outputs into one file");
+  };
+  if (!command.stats.empty()) add(command.stats);
+  for (const output::PathPattern& pattern : command.outputs) add(pattern.at(0));
+}
+
+}  // namespace
+
+void check_combinations(const RenderCommand& command) {
+  if (command.seconds && command.frames) misuse("--time is for one picture, --frames for many: give one");
+  check_view(command.options.view, command.options.camera);
+  check_outputs(command);
+  check_distinct(command);
+}
+
+void check_places(const RenderCommand& command) {
+  if (!command.stats.empty() && command.stats != "-") output::check_writable(command.stats);
+  for (const FrameTask& task : frame_tasks(command))
+    for (const output::PathPattern& pattern : command.outputs)
+      if (!pattern.to_stdout()) output::check_writable(pattern.at(task.number));
+}
+
+}  // namespace crsh::cli

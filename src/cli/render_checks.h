@@ -1,0 +1,14 @@
+#pragma once
+// What is wrong with a `crsh render` before anything is loaded.
+
+#include "cli/render_options.h"
+
+namespace crsh::cli {
+
+/// Throws UserError (wrong usage) where options do not go together.
+void check_combinations(const RenderCommand& command);
+
+/// Throws UserError where an output of any frame, or the statistics, could not be written.
+void check_places(const RenderCommand& command);
+
+}  // namespace crsh::cli

@@ -1,0 +1,54 @@
+#pragma once
+// The options of `crsh render`, as tables.
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "frame/options.h"
+#include "gpu/device.h"
+#include "output/path_pattern.h"
+
+namespace crsh::cli {
+
+/// --frames A..B
+struct FrameRange {
+  uint32_t first = 0, last = 0;
+};
+
+/// A picture to make: its number, for {frame}, and its place in time.
+struct FrameTask {
+  uint32_t number = 0;
+  double seconds = 0;
+};
+
+enum class ProgressChoice { automatic, json, none };
+
+/// Everything that the command line of `crsh render` says.
+struct RenderCommand {
+  std::string scene;
+  RenderOptions options;
+  gpu::DeviceRequest device;
+  std::vector<output::PathPattern> outputs;
+  std::string stats;                                 ///< path, "-" or empty
+  std::vector<std::string> layers = {"", "Z", "N", "Albedo"};  ///< as in Picture
+  std::optional<float> exposure = 0.0f;              ///< stops; none: automatic
+  std::optional<float> seconds;                      ///< --time
+  std::optional<FrameRange> frames;
+  float frames_per_second = 24;
+  ProgressChoice progress = ProgressChoice::automatic;
+  bool quiet = false, verbose = false;
+};
+
+/// All tables, bound to `command`. Rows are set in this order.
+[[nodiscard]] std::vector<OptionGroup> render_options(RenderCommand& command);
+/// The preset and its switches. Belongs to render_options.
+[[nodiscard]] OptionGroup algorithm_options(AlgorithmOptions& algorithm);
+
+/// The pictures that the command asks for, in order of time.
+[[nodiscard]] std::vector<FrameTask> frame_tasks(const RenderCommand& command);
+
+}  // namespace crsh::cli

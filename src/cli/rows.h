@@ -1,0 +1,57 @@
+#pragma once
+// Rows of option tables for the usual kinds of variables. Each is bound to `variable`, which must outlive it.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/values.h"
+
+namespace crsh::cli {
+
+inline Option flag(std::string names, std::string help, bool& variable) {
+  return {.names = std::move(names), .value = {}, .help = std::move(help),
+          .set = [&variable](const std::string& text) { variable = parse_choice(text, {"false", "true"}) == 1; },
+          .get = [&variable] { return variable; }};
+}
+
+/// Text that may be anything; null when empty.
+inline Option text(std::string names, std::string value, std::string help, std::string& variable) {
+  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
+          .set = [&variable](const std::string& given) { variable = given; },
+          .get = [&variable] { return variable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(variable); }};
+}
+
+template <class Integer>
+Option integer(std::string names, std::string value, std::string help, Integer& variable, uint64_t low, uint64_t high) {
+  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
+          .set = [&variable, low, high](const std::string& given) {
+            variable = static_cast<Integer>(parse_integer(given, low, high));
+          },
+          .get = [&variable] { return variable; }};
+}
+
+/// `words` by the enumeration's (or bool's) value.
+template <class Enum>
+Option choice(std::string names, std::string help, Enum& variable, const std::vector<std::string>& words) {
+  std::string value;
+  for (const std::string& word : words) value += (value.empty() ? "" : "|") + word;
+  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
+          .set = [&variable, words](const std::string& given) {
+            variable = static_cast<Enum>(parse_choice(given, words));
+          },
+          .get = [&variable, words] { return words[static_cast<size_t>(variable)]; }};
+}
+
+/// The same row with more said of it.
+[[nodiscard]] inline Option changes_pixels(Option option) { return option.pixels = true, option; }
+[[nodiscard]] inline Option with_default(std::string shown, Option option) {
+  return option.initial = std::move(shown), option;
+}
+[[nodiscard]] inline Option not_effective(Option option) { return option.get = nullptr, option; }
+[[nodiscard]] inline Option hidden(Option option) { return option.hidden = true, option; }
+
+}  // namespace crsh::cli

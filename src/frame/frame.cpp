@@ -1,0 +1,193 @@
+// One frame, top to bottom as the paper's Figure 1: steps 1 and 2 once, steps 3 to 7 once a batch of rays.
+
+#include <algorithm>
+
+#include "coherence/trim.h"
+#include "frame/state.h"
+#include "primitives/grow.h"
+#include "raster/jitter.h"
+#include "rays/kinds.h"
+#include "shading/direct.h"
+
+namespace crsh {
+namespace {
+
+/// Nodes of a batch that are traversed together: one kind's, on the top level of that kind.
+hierarchy::Range nodes_of(const rays::Batch& batch, const hierarchy::Hierarchy& hierarchy, uint32_t kind, uint32_t depth) {
+  hierarchy::Range range;
+  for (size_t s = 0; s < batch.segments.size(); ++s) {
+    const hierarchy::Range nodes = batch.segments[s].kind == kind && depth <= hierarchy.depth
+                                       ? hierarchy.levels[depth - 1].segments[s]
+                                       : hierarchy::Range{};
+    if (range.count == 0) range.first = nodes.first;
+    range.count += nodes.count;
+  }
+  return range;
+}
+
+/// Steps 4 to 6 (§3.2.3 to §3.2.6): sorts the rays, bundles them into nodes, and takes these through the scene.
+void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  const AlgorithmOptions& options = s.options.algorithm;
+  BatchBuffers& b = s.batch;
+  const bool unstable = s.options.mutation == "unstable-sort", narrow = s.options.mutation == "narrow-cones";
+  coherence::order(s.recorder, b.sort,
+                   {.batch = batch, .keys = options.keys, .bounds = s.gpu_scene.bounds,
+                    .compression = options.compression, .unstable = unstable}, b.order);
+  coherence::gather(s.recorder, batch, b.order, b.sorted_rays);
+  hierarchy::build(s.recorder, {b.sorted_rays, batch.segments, options, narrow}, b.hierarchy);
+  for (uint32_t kind = 0; kind < kind_count; ++kind) {
+    const uint32_t row = Counters::row(bounce, kind);
+    const traversal::In in{.hierarchy = b.hierarchy, .scene = s.gpu_scene, .options = options,
+                           .counters = s.counters->buffer(), .counter_row = row, .submit_work = s.options.submit_work,
+                           .most_pairs = s.most_pairs, .drop_every = s.options.mutation == "dropped-pairs" ? 10000u : 0u};
+    const hierarchy::Range top = nodes_of(batch, b.hierarchy, kind, options.levels[kind]);
+    traversal::traverse(s.recorder, in, options.levels[kind], top, b.traversal, [&](const auto& candidates) {
+      intersection::intersect(s.recorder, {s.gpu_scene, batch, b.hits, s.counters->buffer(), row, s.options.submit_work},
+                              b.hierarchy, b.sorted_rays, b.order.order, candidates);
+    });
+  }
+}
+
+/// Step 6 without any structure.
+void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  s.batch.hierarchy.depth = 0;
+  s.batch.order.chunks.clear();
+  for (const rays::Segment& segment : batch.segments)
+    intersection::intersect_all(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
+                                             Counters::row(bounce, segment.kind), s.options.submit_work}, segment);
+}
+
+/// Steps 3 to 6 for the rays of one plan: created, trimmed, traced. The hits are in state.batch.hits.
+const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, const shading::Surfaces& surfaces,
+                               shading::Generation& generation, uint32_t bounce) {
+  rays::Batch& batch = s.batch.rays;
+  batch.segments.clear();
+  for (const rays::Wanted& wanted : plan.segments) batch.segments.push_back({.kind = wanted.kind, .light = wanted.light});
+  batch.surfaces = plan.surfaces;
+  s.recorder.stage(gpu::Stage::ray_creation);
+  rays::create(s.recorder, {surfaces, s.gpu_scene, plan, s.options.override_mirror}, s.batch.sparse, generation);
+  coherence::trim(s.recorder, s.batch.trim, s.batch.sparse.rays, s.batch.sparse.flags, batch);
+  if (batch.count == 0) return batch;
+  primitives::grow(s.recorder, s.batch.hits, uint64_t(batch.count) * sizeof(shared::Hit), "hits");
+  intersection::clear(s.recorder, batch, s.batch.hits);
+  s.options.algorithm.brute ? trace_brute(s, batch, bounce) : trace_hierarchy(s, batch, bounce);
+  for (const rays::Segment& segment : batch.segments)
+    intersection::digest(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
+                                      Counters::row(bounce, segment.kind), s.options.submit_work},
+                         segment, plan.first_surface, surfaces.diffuse, surfaces.specular);
+  add_batch(s.recorder, batch, s.batch.order, s.batch.hierarchy, bounce, s.frame_statistics);
+  return batch;
+}
+
+/// Where the closest-hit rays of a batch become surfaces of the next generation.
+shading::Children children_of(rays::Batch& batch, const rays::BatchPlan& plan, uint32_t first_child) {
+  shading::Children children;
+  children.first_surface = plan.first_surface;
+  children.surfaces = plan.surfaces;
+  children.first_child = first_child;
+  children.first_ray = shared::none;
+  for (uint32_t s = 0; s < batch.segments.size(); ++s) {
+    const rays::Segment& segment = batch.segments[s];
+    if (segment.kind == shared::kind_shadow) continue;
+    children.first_slot[segment.kind] = s * plan.surfaces;
+    children.first_ray = std::min(children.first_ray, segment.first);
+  }
+  children.ends = std::move(batch.ends);
+  return children;
+}
+
+bool casts_closest(const rays::BatchPlan& plan) { return plan.segments.back().kind != shared::kind_shadow; }
+
+/// Most surfaces that the plans can add to the next generation; asserted against what a binding holds.
+uint32_t most_children(Renderer::State& s, const std::vector<rays::BatchPlan>& plans) {
+  uint64_t slots = 0;
+  for (const rays::BatchPlan& plan : plans)
+    for (const rays::Wanted& wanted : plan.segments) slots += wanted.kind == shared::kind_shadow ? 0 : plan.surfaces;
+  if (slots * sizeof(glm::vec4) > s.device.limits().max_binding) throw PortionTooLarge{};
+  return static_cast<uint32_t>(slots);
+}
+
+/// Steps 3 to 7 of one bounce: traces all rays of generation k, shades, and yields generation k + 1.
+void trace_bounce(Renderer::State& s, uint32_t bounce) {
+  shading::Surfaces& surfaces = s.paths.surfaces(bounce);
+  shading::Surfaces& next = s.paths.surfaces(bounce + 1);
+  shading::Generation& generation = s.paths.generations[bounce];
+  const std::vector<rays::BatchPlan> plans =
+      rays::plan_batches({.surfaces = surfaces.count, .lights = s.gpu_scene.light_count,
+                          .kinds = rays::kinds_at(s.options, bounce), .mixed = s.options.algorithm.mixed_batches});
+  generation.children.clear();
+  const uint32_t room = most_children(s, plans);
+  const auto closest_plans = std::count_if(plans.begin(), plans.end(), casts_closest);
+  next.count = 0;
+  for (const rays::BatchPlan& plan : plans) {
+    const rays::Batch& batch = trace_batch(s, plan, surfaces, generation, bounce);
+    s.recorder.stage(gpu::Stage::shading);
+    if (batch.count)
+      shading::add_direct(s.recorder, {surfaces, s.gpu_scene, plan, batch.ends, s.batch.hits}, generation);
+    if (!casts_closest(plan)) continue;
+    shading::Children children = children_of(s.batch.rays, plan, next.count);
+    const uint32_t count = batch.count - std::min(batch.count, children.first_ray);
+    if (next.count == 0) shading::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
+    shading::surfaces_from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, count, surfaces},
+                                next, s.paths.generations[bounce + 1]);
+    generation.children.push_back(std::move(children));
+  }
+}
+
+/// Step 7: radiance back along the paths, last generation first.
+void gather_generations(Renderer::State& s, uint32_t generations) {
+  s.recorder.stage(gpu::Stage::shading);
+  for (uint32_t k = generations; k-- > 0;) {
+    shading::Generation& generation = s.paths.generations[k];
+    if (k + 1 == generations) generation.children.clear();
+    for (shading::Children& children : generation.children) children.totals = &s.paths.gathered[k + 1].total;
+    shading::gather(s.recorder, generation, s.options.background.value_or(glm::vec3(0)), s.paths.gathered[k]);
+  }
+}
+
+/// Traces all bounces that begin at generation 0.
+void trace_paths(Renderer::State& s, const Renderer::Progress& progress, double done, double share) {
+  uint32_t generations = 0;
+  const uint32_t most = s.options.bounces + 1;
+  while (generations < most && s.paths.surfaces(generations).count > 0) {
+    trace_bounce(s, generations);
+    ++generations;
+    if (progress) progress(done + share * generations / most);
+  }
+  gather_generations(s, generations);
+}
+
+}  // namespace
+
+Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
+  const scene::Pose pose = s.scene.pose(seconds, s.animation);
+  const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
+  s.recorder.stage(gpu::Stage::raster);
+  scene::animate(s.recorder, s.gpu_scene, s.scene, pose, s.lights);
+  shading::begin_frame(s.recorder, s.film, s.size);
+  s.paths.generations.resize(s.options.bounces + 2);
+  s.paths.gathered.resize(s.options.bounces + 2);
+
+  const uint32_t pixels = s.size.width * s.size.height;
+  const double share = double(std::min(s.portion, pixels)) / (double(pixels) * s.options.samples);
+  double done = 0;
+  for (uint32_t sample = 0; sample < s.options.samples; ++sample) {
+    s.recorder.stage(gpu::Stage::raster);
+    const glm::vec2 jitter = raster::jitter(sample, s.options.seed);
+    raster::rasterise(s.recorder, {s.gpu_scene, view, s.size, jitter}, s.gbuffer);
+    shading::begin_sample(s.film);
+    for (uint32_t first = 0; first < pixels; first += s.portion, done += share) {
+      s.recorder.stage(gpu::Stage::shading);
+      shading::surfaces_from_raster(s.recorder,
+                                    {s.gbuffer, s.gpu_scene, view, s.size, s.options.algorithm.ray_order, first,
+                                     std::min(s.portion, pixels - first)},
+                                    s.paths.first, s.paths.generations[0]);
+      trace_paths(s, progress, done, share);
+      shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene,
+                                       view, s.options.background.has_value()}, s.film);
+    }
+  }
+  return shading::take_picture(s.recorder, s.film, view);
+}
+
+}  // namespace crsh

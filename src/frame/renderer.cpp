@@ -1,0 +1,167 @@
+#include "frame/renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "error.h"
+#include "frame/state.h"
+
+namespace crsh {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Pairs of a candidate list where memory is short: two batches of triangles.
+constexpr uint64_t frugal_pairs = 65536;
+
+/// The animation to play: by index or name, the first by default; none where the file has none.
+std::optional<uint32_t> animation_of(const scene::Scene& scene, const std::string& which) {
+  if (which.empty()) return scene.animations.empty() ? std::nullopt : std::optional<uint32_t>(0);
+  for (uint32_t i = 0; i < scene.animations.size(); ++i)
+    if (scene.animations[i].name == which || std::to_string(i) == which) return i;
+  std::string names;
+  for (const scene::Animation& animation : scene.animations) names += " '" + animation.name + "'";
+  throw UserError(fmt::format("{}: has no animation '{}'; it has {}:{}", scene.path.string(), which,
+                              scene.animations.size(), names.empty() ? " none" : names));
+}
+
+/// What a frame counted joins the run's sums.
+void add(Statistics& sum, const Statistics& frame) {
+  for (size_t r = 0; r < frame.rays.size(); ++r) {
+    RayStatistics& to = sum.rays[r];
+    const RayStatistics& from = frame.rays[r];
+    to.count += from.count;
+    to.hits += from.hits;
+    to.hits_digest += from.hits_digest;
+    to.chunks += from.chunks;
+    to.mesh_tests += from.mesh_tests;
+    to.box_tests += from.box_tests;
+    to.triangle_tests += from.triangle_tests;
+    if (to.levels.size() < from.levels.size()) to.levels.resize(from.levels.size());
+    for (size_t l = 0; l < from.levels.size(); ++l) {
+      LevelStatistics& level = to.levels[l];
+      level.level = from.levels[l].level;
+      level.nodes += from.levels[l].nodes;
+      level.half_angle_sum += from.levels[l].half_angle_sum;
+      level.radius_sum += from.levels[l].radius_sum;
+      level.tests += from.levels[l].tests;
+      level.hits += from.levels[l].hits;
+    }
+  }
+}
+
+void load(Renderer::State& s) {
+  s.animation = animation_of(s.scene, s.options.animation);
+  const scene::Pose pose = s.scene.pose(0, s.animation);
+  s.first_bounds = s.scene.bounds(pose);
+  s.size = raster::image_size(s.scene, s.options);
+  s.options.width = s.size.width;
+  s.options.height = s.size.height;
+  const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
+  s.lights = scene::resolve_lights(s.scene, s.options.lights, s.first_bounds, {view.eye, view.right, view.up});
+  s.gpu_scene = scene::upload(s.device, s.scene);
+  s.counters.emplace(s.device, s.options.bounces);
+  s.notes.insert(s.notes.end(), s.lights.notes.begin(), s.lights.notes.end());
+  s.notes.insert(s.notes.end(), s.gpu_scene.notes.begin(), s.gpu_scene.notes.end());
+  s.statistics.triangles = s.gpu_scene.triangle_count;
+  s.statistics.meshes = s.scene.meshes.size();
+  s.statistics.instances = s.scene.instances.size();
+  s.statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
+}
+
+/// Everything that grew while frames were rendered is given back.
+void drop_lists(Renderer::State& s) {
+  s.recorder.submit();
+  s.paths = {};
+  s.batch = {};
+}
+
+/// One try at a frame: counters and times start from nothing, so that a second try counts nothing twice.
+Picture attempt(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
+  s.frame_statistics = {};
+  s.frame_statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
+  s.counters->clear(s.recorder);
+  s.recorder.submit();
+  (void)s.recorder.profiler().take_milliseconds();
+  const Clock::time_point start = Clock::now();
+  Picture picture = render_frame(s, seconds, progress);
+  const double elapsed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  s.counters->add_to(s.recorder, s.frame_statistics);
+  s.frame_statistics.frames.push_back({elapsed, s.recorder.profiler().take_milliseconds()});
+  return picture;
+}
+
+/// Tries again with smaller portions where a generation outgrew a binding.
+Picture attempt_in_portions(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
+  for (;;) {
+    try {
+      return attempt(s, seconds, progress);
+    } catch (const PortionTooLarge&) {
+      drop_lists(s);
+      s.portion /= 2;
+    }
+  }
+}
+
+/// The least --max-memory that this frame needs, MiB: measured, by rendering it frugally without a bound.
+uint64_t least_memory(Renderer::State& s, double seconds) {
+  const uint64_t budget = s.device.request().memory_budget;
+  drop_lists(s);
+  s.device.set_memory_budget(0);
+  s.device.forget_peak();
+  (void)attempt_in_portions(s, seconds, {});
+  s.device.set_memory_budget(budget);
+  return (s.device.peak_bytes() >> 20) + 1;
+}
+
+[[noreturn]] void report(const gpu::OutOfMemory& shortage, const std::string& mend) {
+  const std::string limit = shortage.available ? fmt::format("--max-memory allows {} MiB", shortage.available >> 20)
+                                               : std::string("the device has no more");
+  throw UserError(fmt::format("out of device memory: '{}' would bring it to {} MiB, and {}; {}", shortage.what,
+                              (shortage.needed >> 20) + 1, limit, mend));
+}
+
+}  // namespace
+
+Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const RenderOptions& options)
+    : state_(std::make_unique<State>(device, scene, options)) {
+  try {
+    load(*state_);
+  } catch (const gpu::OutOfMemory& shortage) {
+    report(shortage, "the scene alone needs that much");
+  }
+}
+
+Renderer::~Renderer() = default;
+
+Picture Renderer::render(double seconds, const Progress& progress) {
+  State& s = *state_;
+  const auto finish = [&](Picture picture) {
+    s.statistics.lights = s.gpu_scene.light_count;
+    add(s.statistics, s.frame_statistics);
+    s.statistics.frames.push_back(s.frame_statistics.frames.front());
+    s.statistics.device_peak_bytes = std::max(s.statistics.device_peak_bytes, s.device.peak_bytes());
+    return picture;
+  };
+  try {
+    return finish(attempt_in_portions(s, seconds, progress));
+  } catch (const gpu::OutOfMemory&) {
+    drop_lists(s);
+    s.most_pairs = frugal_pairs;
+  }
+  try {
+    return finish(attempt_in_portions(s, seconds, progress));
+  } catch (const gpu::OutOfMemory& shortage) {
+    if (!shortage.available) report(shortage, "a smaller --size needs less");
+    throw UserError(fmt::format("--max-memory {} MiB is too little for this scene and size; it needs at least {}",
+                                shortage.available >> 20, least_memory(s, seconds)));
+  }
+}
+
+const Statistics& Renderer::statistics() const { return state_->statistics; }
+const RenderOptions& Renderer::options() const { return state_->options; }
+const std::vector<std::string>& Renderer::notes() const { return state_->notes; }
+
+}  // namespace crsh

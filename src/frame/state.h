@@ -1,0 +1,76 @@
+#pragma once
+// What a renderer keeps between frames.
+
+#include <optional>
+#include <vector>
+
+#include "coherence/coherence.h"
+#include "coherence/trim.h"
+#include "frame/counters.h"
+#include "frame/renderer.h"
+#include "hierarchy/hierarchy.h"
+#include "intersection/intersection.h"
+#include "raster/raster.h"
+#include "rays/create.h"
+#include "scene/upload.h"
+#include "shading/film.h"
+#include "shading/gather.h"
+#include "shading/surfaces.h"
+#include "traversal/traversal.h"
+
+namespace crsh {
+
+/// Lists and scratch of one batch of rays after the other. All of it may be dropped between batches.
+struct BatchBuffers {
+  rays::Sparse sparse;
+  rays::Batch rays;
+  coherence::TrimScratch trim;
+  coherence::OrderScratch sort;
+  coherence::Order order;
+  gpu::Buffer sorted_rays, hits;
+  hierarchy::Hierarchy hierarchy;
+  traversal::Scratch traversal;
+};
+
+/// The surfaces of generation 0, of two later ones in turn, and what is kept of each until the gathering.
+struct PathBuffers {
+  shading::Surfaces first, later[2];
+  std::vector<shading::Generation> generations;
+  std::vector<shading::Gathered> gathered;
+  [[nodiscard]] shading::Surfaces& surfaces(uint32_t generation) {
+    return generation == 0 ? first : later[generation % 2];
+  }
+};
+
+struct Renderer::State {
+  State(gpu::Device& device_, const scene::Scene& scene_, const RenderOptions& options_)
+      : device(device_), scene(scene_), options(options_), recorder(device_) {}
+
+  gpu::Device& device;
+  const scene::Scene& scene;
+  RenderOptions options;
+  gpu::Recorder recorder;
+  scene::Bounds first_bounds;             ///< of the scene at time 0
+  std::optional<uint32_t> animation;
+  raster::ImageSize size;
+  scene::LightRig lights;
+  scene::GpuScene gpu_scene;
+  std::optional<Counters> counters;
+  raster::GBuffer gbuffer;
+  PathBuffers paths;
+  BatchBuffers batch;
+  shading::Film film;
+  uint32_t portion = 1u << 20;            ///< pixels that are traced together
+  uint64_t most_pairs = 0;                ///< of a candidate list; 0: as memory allows
+  Statistics statistics;                  ///< of all finished frames
+  Statistics frame_statistics;            ///< of the frame under way
+  std::vector<std::string> notes;
+};
+
+/// Thrown where a generation outgrows what the device can bind: the frame begins again with smaller portions.
+struct PortionTooLarge {};
+
+/// One frame, as Figure 1 has it (frame.cpp). Counts go to state.frame_statistics.
+[[nodiscard]] Picture render_frame(Renderer::State& state, double seconds, const Renderer::Progress& progress);
+
+}  // namespace crsh

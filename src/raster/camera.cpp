@@ -1,0 +1,150 @@
+#include "raster/camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "error.h"
+
+namespace crsh::raster {
+namespace {
+
+constexpr float default_fov = float(std::numbers::pi) / 4;
+constexpr float default_aspect = 4.0f / 3;
+/// Where the default camera stands, seen from the middle of the scene.
+constexpr glm::vec3 default_side{0.5f, 0.4f, 1.0f};
+constexpr float near_share = 1e-4f;  ///< of the scene's size
+
+struct Extent {
+  glm::vec3 centre{0};
+  float radius = 1;
+};
+
+Extent extent_of(const scene::Bounds& bounds) {
+  if (bounds.empty()) return {};
+  const float radius = glm::length(bounds.high - bounds.low) * 0.5f;
+  return {(bounds.low + bounds.high) * 0.5f, radius > 0 ? radius : 1.0f};
+}
+
+std::optional<uint32_t> as_index(const std::string& text) {
+  uint32_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+std::string camera_list(const scene::Scene& scene) {
+  if (scene.cameras.empty()) return "it has none";
+  std::string list = "it has";
+  for (size_t i = 0; i < scene.cameras.size(); ++i)
+    list += fmt::format("{} {} ({})", i ? "," : "", i, scene.cameras[i].name);
+  return list;
+}
+
+/// --camera by name or index, else the first; none where --eye or --target place one.
+std::optional<uint32_t> chosen_camera(const scene::Scene& scene, const RenderOptions& options) {
+  if (options.view.eye || options.view.target) return std::nullopt;
+  if (options.camera.empty()) return scene.cameras.empty() ? std::nullopt : std::optional<uint32_t>(0);
+  for (uint32_t i = 0; i < scene.cameras.size(); ++i)
+    if (scene.cameras[i].name == options.camera) return i;
+  const std::optional<uint32_t> index = as_index(options.camera);
+  if (index && *index < scene.cameras.size()) return index;
+  throw UserError(fmt::format("{}: no camera \"{}\": {}", scene.path.string(), options.camera, camera_list(scene)));
+}
+
+float aspect_of(const scene::Camera& camera) {
+  const float aspect = camera.orthographic ? camera.xmag / camera.ymag : camera.aspect.value_or(default_aspect);
+  return std::isfinite(aspect) && aspect > 0 ? std::clamp(aspect, 1e-3f, 1e3f) : default_aspect;
+}
+
+glm::vec3 unit_or(glm::vec3 v, glm::vec3 otherwise) {
+  const float length = glm::length(v);
+  return length > 0 && std::isfinite(length) ? v / length : otherwise;
+}
+
+/// Any unit vector at right angles to `forward`.
+glm::vec3 some_side(glm::vec3 forward) {
+  const glm::vec3 axis = std::abs(forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -1);
+  return glm::normalize(glm::cross(forward, axis));
+}
+
+void look(CameraView& view, glm::vec3 forward, glm::vec3 up) {
+  view.forward = unit_or(forward, glm::vec3(0, 0, -1));
+  const glm::vec3 side = glm::cross(view.forward, unit_or(up, glm::vec3(0, 1, 0)));
+  view.right = glm::length(side) > 1e-6f ? glm::normalize(side) : some_side(view.forward);
+  view.up = glm::cross(view.right, view.forward);
+}
+
+void set_fov(CameraView& view, float fov) {
+  view.half_height = std::tan(std::clamp(fov, 1e-3f, 3.1f) / 2);
+}
+
+void see_through(CameraView& view, const scene::Camera& camera, const glm::mat4& transform) {
+  view.eye = glm::vec3(transform[3]);
+  look(view, -glm::vec3(transform[2]), glm::vec3(transform[1]));
+  // A mirrored node would mirror the picture; look() keeps x to the right, as viewers do.
+  view.orthographic = camera.orthographic;
+  if (camera.orthographic) view.half_height = std::abs(camera.ymag);
+  else set_fov(view, camera.yfov);
+  view.near_plane = camera.orthographic ? camera.near_plane : std::max(camera.near_plane, 1e-6f);
+}
+
+/// Far enough that the sphere fills the narrower side of the image.
+float framing_distance(const CameraView& view, float aspect, float radius) {
+  const float narrow = std::atan(view.half_height * std::min(aspect, 1.0f));
+  return 1.02f * radius / std::sin(narrow);
+}
+
+void see_scene(CameraView& view, const ViewOption& option, const Extent& extent, float aspect) {
+  set_fov(view, default_fov);
+  if (option.fov_degrees) set_fov(view, glm::radians(*option.fov_degrees));
+  const glm::vec3 target = option.target.value_or(extent.centre);
+  view.eye = option.eye.value_or(target + glm::normalize(default_side) * framing_distance(view, aspect, extent.radius));
+  look(view, target - view.eye, option.up);
+  view.near_plane = near_share * 2 * extent.radius;
+}
+
+}  // namespace
+
+ImageSize image_size(const scene::Scene& scene, const RenderOptions& options) {
+  if (options.width) return {options.width, options.height};
+  const std::optional<uint32_t> camera = chosen_camera(scene, options);
+  const float aspect = camera ? aspect_of(scene.cameras[*camera]) : default_aspect;
+  return {std::max(uint32_t(std::lround(aspect * float(options.height))), 1u), options.height};
+}
+
+CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const RenderOptions& options,
+                       const scene::Bounds& bounds, ImageSize size) {
+  const Extent extent = extent_of(bounds);
+  const float aspect = float(size.width) / float(size.height);
+  CameraView view;
+  if (const std::optional<uint32_t> index = chosen_camera(scene, options)) {
+    see_through(view, scene.cameras[*index], pose.cameras[*index]);
+    if (options.view.fov_degrees && !view.orthographic) set_fov(view, glm::radians(*options.view.fov_degrees));
+  } else {
+    see_scene(view, options.view, extent, aspect);
+  }
+  view.half_width = view.half_height * aspect;
+  view.far_plane = std::max(view.near_plane, glm::distance(view.eye, extent.centre) + 2 * extent.radius) * 1.01f + 1e-6f;
+  return view;
+}
+
+glm::mat4 CameraView::world_to_camera() const {
+  const glm::mat4 rows(glm::vec4(right, -glm::dot(right, eye)), glm::vec4(up, -glm::dot(up, eye)),
+                       glm::vec4(forward, -glm::dot(forward, eye)), glm::vec4(0, 0, 0, 1));
+  return glm::transpose(rows);
+}
+
+glm::mat4 CameraView::world_to_ndc() const {
+  const glm::vec4 x(0.5f / half_width, 0, orthographic ? 0 : 0.5f, orthographic ? 0.5f : 0);
+  const glm::vec4 y(0, -0.5f / half_height, orthographic ? 0 : 0.5f, orthographic ? 0.5f : 0);
+  const glm::vec4 z(0, 0, 1, -near_plane);
+  const glm::vec4 w = orthographic ? glm::vec4(0, 0, 0, 1) : glm::vec4(0, 0, 1, 0);
+  return glm::transpose(glm::mat4(x, y, z, w)) * world_to_camera();
+}
+
+}  // namespace crsh::raster

@@ -1,0 +1,22 @@
+#pragma once
+// Direct light from the shadow rays of a batch.
+
+#include "gpu/recorder.h"
+#include "rays/create.h"
+#include "scene/upload.h"
+#include "shading/surfaces.h"
+
+namespace crsh::shading {
+
+struct DirectIn {
+  const Surfaces& surfaces;
+  const scene::GpuScene& scene;
+  const rays::BatchPlan& plan;
+  const gpu::Buffer& ends;  ///< of the batch
+  const gpu::Buffer& hits;  ///< shared::Hit a ray, in creation order
+};
+
+/// Adds what the batch's shadow rays let through to `generation.direct`, light by light.
+void add_direct(gpu::Recorder& recorder, const DirectIn& in, Generation& generation);
+
+}  // namespace crsh::shading

@@ -1,0 +1,96 @@
+// No bound ever rejects a ray that hits: whatever the hierarchy, rays find what brute force finds, bit for bit.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <vector>
+
+#include "shared/counters.h"
+#include "support/cases_trace.h"
+#include "support/device.h"
+
+using namespace crsh;
+using namespace crsh::test;
+
+namespace {
+
+AlgorithmOptions algorithm(uint32_t arity, uint32_t levels) {
+  AlgorithmOptions options;
+  options.arity = arity;
+  options.levels = {levels, levels, levels};
+  return options;
+}
+
+glm::mat4 placed(Random& random, const glm::vec3& scale) {
+  glm::mat4 m = glm::translate(glm::mat4(1), random.point(2));
+  m = glm::rotate(m, random.uniform(0, 6), random.unit());
+  m = glm::scale(m, scale);
+  return glm::rotate(m, random.uniform(0, 6), random.unit());
+}
+
+/// Hard triangles and a closed mesh, as they are, scaled, sheared and mirrored; some tinted, some single-sided.
+std::vector<Object> hard_objects(Random& random) {
+  return {{.triangles = hard_triangles(random, 150)},
+          {.triangles = hard_triangles(random, 40), .transmissive = true},
+          {.triangles = hard_triangles(random, 40), .single_sided = true},
+          {.triangles = closed_mesh(1, random.point(1), 0.7f), .transform = placed(random, glm::vec3(0.3f))},
+          {.triangles = closed_mesh(1, glm::vec3(0), 0.5f), .transform = placed(random, {3, 0.02f, 1}), .transmissive = true},
+          {.triangles = hard_triangles(random, 33), .transform = placed(random, {-1, 0.1f, 2}), .single_sided = true},
+          {.triangles = {}},
+          {.triangles = {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}}};
+}
+
+struct World {
+  scene::GpuScene scene;
+  SortedBatch rays;
+};
+
+using Lists = std::vector<std::vector<shared::Ray>>;
+
+/// Two lights, stray shadow rays, two mirrors and stray rays behind them, refraction.
+Lists ray_lists(Random& random, const std::vector<Triangle>& triangles, size_t count) {
+  Lists lists = {light_rays(random, triangles, count), light_rays(random, triangles, count / 3),
+                 stray_rays(random, triangles, count / 2, shared::kind_shadow), mirror_rays(random, triangles, count, shared::kind_reflection)};
+  const auto more = mirror_rays(random, triangles, count / 2, shared::kind_reflection);
+  lists[3].insert(lists[3].end(), more.begin(), more.end());
+  lists.push_back(stray_rays(random, triangles, count, shared::kind_refraction));
+  return lists;
+}
+
+World make_world(Tracer& tracer, uint32_t seed) {
+  Random random(seed);
+  World world;
+  world.scene = make_scene(tracer.recorder(), hard_objects(random));
+  const Lists lists = ray_lists(random, world_triangles(tracer.recorder(), world.scene), 400);
+  world.rays = make_batch(tracer.recorder().device(), lists, seed % 2 ? &random : nullptr);
+  return world;
+}
+
+bool hits_something(const glm::uvec4& hit) { return hit.y != shared::none && hit.x != 0; }
+
+uint32_t count_hits(const Traced& traced) { return uint32_t(std::ranges::count_if(traced.hits, hits_something)); }
+
+}  // namespace
+
+TEST_CASE("no bound rejects a ray that hits, whatever the arity, levels, fit, interval and mesh culling") {
+  Tracer tracer(test::device());
+  for (uint32_t seed = 1; seed <= 6; ++seed) {
+    const World world = make_world(tracer, seed);
+    const Traced all = tracer.trace_all(world.scene, world.rays);
+    REQUIRE(count_hits(all) > 500);
+    for (const auto& [arity, levels] : {std::pair{2u, 1u}, {2u, 5u}, {3u, 4u}, {8u, 1u}, {8u, 2u}, {8u, 3u}, {64u, 2u}})
+      for (const uint32_t switches : {0u, 1u, 2u, 4u, 7u}) {
+        TraceOptions options{algorithm(arity, levels)};
+        options.algorithm.fit = switches & 1 ? Fit::all : Fit::merged;
+        options.algorithm.interval = switches & 2;
+        options.algorithm.mesh_culling = switches & 4;
+        const Traced traced = tracer.trace(world.scene, world.rays, options);
+        CAPTURE(seed);
+        CAPTURE(arity);
+        CAPTURE(levels);
+        CAPTURE(switches);
+        CHECK(different_hits(traced, all).empty());
+      }
+  }
+}

@@ -1,0 +1,90 @@
+#pragma once
+// The sort keys again in plain C++, from the same definitions (shaders/lib, shaders/rays/keys), and rays to try them on.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "shared/ray.h"
+
+namespace crsh::test {
+
+inline uint32_t cell_twin(float place, uint32_t bits) {
+  const float last = float((1u << bits) - 1);
+  return uint32_t(std::clamp(place * float(1u << bits), 0.0f, last));
+}
+
+inline glm::vec2 octahedral_twin(glm::vec3 d) {
+  const float inverse = 1.0f / ((std::abs(d.x) + std::abs(d.y)) + std::abs(d.z));
+  glm::vec2 p{d.x * inverse, d.z * inverse};
+  if (d.y > 0) p = {std::copysign(1 - std::abs(p.y), d.x < 0 ? -1.0f : 1.0f), std::copysign(1 - std::abs(p.x), d.z < 0 ? -1.0f : 1.0f)};
+  return p * 0.5f + 0.5f;
+}
+
+inline glm::uvec2 octahedral_cell_twin(glm::vec3 d, uint32_t bits) {
+  const glm::vec2 p = octahedral_twin(d);
+  return {cell_twin(p.x, bits), cell_twin(p.y, bits)};
+}
+
+/// Bits of the coordinates interleaved, the first coordinate's on top.
+inline uint32_t interleave_twin(const std::vector<uint32_t>& coordinates, uint32_t bits) {
+  uint32_t code = 0;
+  for (uint32_t bit = bits; bit-- > 0;)
+    for (uint32_t c : coordinates) code = code << 1 | (c >> bit & 1);
+  return code;
+}
+
+/// By the four quadrants of a square in turn: the curve enters at the near left corner and leaves at the near right one.
+inline uint32_t hilbert_twin(uint32_t x, uint32_t y, uint32_t bits) {
+  if (bits == 0) return 0;
+  const uint32_t half = 1u << (bits - 1), quarter = half * half;
+  if (x < half && y < half) return hilbert_twin(y, x, bits - 1);
+  if (x < half) return quarter + hilbert_twin(x, y - half, bits - 1);
+  if (y >= half) return 2 * quarter + hilbert_twin(x - half, y - half, bits - 1);
+  return 3 * quarter + hilbert_twin(half - 1 - y, 2 * half - 1 - x, bits - 1);
+}
+
+/// Theta over pi, (phi + pi) over 2 pi, by the standard library.
+inline glm::dvec2 spherical_twin(glm::vec3 d) {
+  const double pi = std::acos(-1.0);
+  return {std::atan2(std::hypot(double(d.x), double(d.z)), double(d.y)) / pi, std::atan2(double(d.z), double(d.x)) / (2 * pi) + 0.5};
+}
+
+inline uint32_t key_twin(const std::string& name, glm::vec3 place, glm::vec3 d, uint32_t kind) {
+  const auto origin = [&](uint32_t bits) { return std::vector{cell_twin(place.x, bits), cell_twin(place.y, bits), cell_twin(place.z, bits)}; };
+  const auto direction = [&](uint32_t bits) { const glm::uvec2 c = octahedral_cell_twin(d, bits); return std::vector{c.x, c.y}; };
+  if (name == "hilbert") return hilbert_twin(direction(12)[0], direction(12)[1], 12);
+  if (name == "octahedral") return interleave_twin(direction(12), 12);
+  if (name == "origin-direction") return interleave_twin(origin(5), 5) << 11 | interleave_twin(direction(6), 6) >> 1;
+  if (name == "direction-origin") return interleave_twin(direction(6), 6) >> 1 << 15 | interleave_twin(origin(5), 5);
+  if (name == "interleaved")
+    return interleave_twin({origin(5)[0], origin(5)[1], origin(5)[2], direction(5)[0], direction(5)[1]}, 5);
+  if (name == "spherical") {
+    const glm::vec2 angles = spherical_twin(d);
+    const uint32_t hash = cell_twin(angles.x, 5) << 5 | cell_twin(angles.y, 5);
+    return kind == shared::kind_shadow ? hash : (origin(5)[0] << 10 | origin(5)[1] << 5 | origin(5)[2]) << 10 | hash;
+  }
+  return 0;
+}
+
+/// Rays from the cube -1 .. 1 and some from outside it, along axes and diagonals too.
+inline std::vector<shared::Ray> key_rays(uint32_t count, uint32_t kind, uint32_t seed = 3) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> part(-1.1f, 1.1f);
+  std::uniform_int_distribution<int> step(-1, 1);
+  std::vector<shared::Ray> rays(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    glm::vec3 d(part(random), part(random), part(random));
+    if (i % 16 == 0) d = glm::vec3(step(random), step(random), step(random));
+    if (glm::length(d) < 0.01f) d = {0, -1, 0};
+    rays[i].origin = glm::vec4(part(random), part(random), part(random), INFINITY);
+    rays[i].direction = glm::vec4(glm::normalize(d), float(kind));
+  }
+  return rays;
+}
+
+}  // namespace crsh::test

@@ -1,0 +1,85 @@
+#pragma once
+// Scenes and batches on the device out of plain lists, and the way of the rays through hierarchy, traversal and
+// intersection.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "frame/options.h"
+#include "gpu/recorder.h"
+#include "hierarchy/hierarchy.h"
+#include "rays/batch.h"
+#include "scene/upload.h"
+#include "shared/node.h"
+#include "support/cases.h"
+#include "traversal/traversal.h"
+
+namespace crsh::test {
+
+struct Object {
+  std::vector<Triangle> triangles;
+  glm::mat4 transform{1};
+  bool transmissive = false, single_sided = false;
+};
+
+/// One instance an object, in this order; moved and given spheres by scene::animate.
+[[nodiscard]] scene::GpuScene make_scene(gpu::Recorder& recorder, const std::vector<Object>& objects);
+/// The triangles as they stand in the world, bit for bit.
+[[nodiscard]] std::vector<Triangle> world_triangles(gpu::Recorder& recorder, const scene::GpuScene& scene);
+
+/// A batch, sorted: each segment's rays in an order of their own.
+struct SortedBatch {
+  rays::Batch batch;
+  gpu::Buffer sorted, order;
+  std::vector<shared::Ray> sorted_rays;
+};
+
+/// A segment for each list that has rays; all rays of a list are of one kind. Segments are shuffled by `random`, if any.
+[[nodiscard]] SortedBatch make_batch(gpu::Device& device, const std::vector<std::vector<shared::Ray>>& lists, Random* random = nullptr);
+
+struct TraceOptions {
+  AlgorithmOptions algorithm;
+  uint64_t submit_work = uint64_t(1) << 26;
+  bool narrow_cones = false;
+  uint32_t drop_every = 0;
+};
+
+struct Traced {
+  std::vector<glm::uvec4> hits;        ///< in creation order
+  std::vector<uint64_t> counters;      ///< a row a kind (shared/counters.h)
+  std::vector<shared::HitPair> pairs;  ///< level-1 candidates, segment after segment
+  [[nodiscard]] uint64_t counter(uint32_t kind, uint32_t which) const;
+};
+
+/// Keeps its buffers between calls, as a frame does.
+class Tracer {
+ public:
+  explicit Tracer(gpu::Device& device) : recorder_(device) {}
+
+  /// Through the hierarchy.
+  [[nodiscard]] Traced trace(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options);
+  /// Every ray against every triangle.
+  [[nodiscard]] Traced trace_all(const scene::GpuScene& scene, const SortedBatch& rays, uint64_t submit_work = uint64_t(1) << 26);
+
+  [[nodiscard]] gpu::Recorder& recorder() { return recorder_; }
+  /// As the last trace() built it.
+  [[nodiscard]] const hierarchy::Hierarchy& hierarchy() const { return hierarchy_; }
+
+ private:
+  void begin(const SortedBatch& rays);
+  [[nodiscard]] Traced result(const SortedBatch& rays);
+
+  gpu::Recorder recorder_;
+  hierarchy::Hierarchy hierarchy_;
+  traversal::Scratch scratch_;
+  gpu::Buffer hits_, counters_;
+};
+
+/// The rays whose hits differ.
+[[nodiscard]] std::vector<uint32_t> different_hits(const Traced& a, const Traced& b);
+
+/// The same pairs in the same order.
+[[nodiscard]] bool same_pairs(const std::vector<shared::HitPair>& a, const std::vector<shared::HitPair>& b);
+
+}  // namespace crsh::test
