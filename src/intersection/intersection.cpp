@@ -35,6 +35,7 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
 }
 
 void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& segment) {
+  if (segment.count == 0) return;
   recorder.stage(gpu::Stage::final_intersection);
   const uint32_t triangles = in.scene.triangle_count;
   const uint32_t batch = static_cast<uint32_t>(

@@ -83,7 +83,8 @@ TEST_CASE("trimming moves every ray to its place and remembers its slot") {
       flags.resize(primitives::quad_bytes(slots) / 4, 1);
       gpu::Recorder recorder(test::device());
       TrimScratch scratch;
-      trim(recorder, scratch, gpu::upload(test::device(), sparse, "sparse"), gpu::upload(test::device(), flags, "flags"), batch);
+      const gpu::Buffer from = gpu::upload(test::device(), sparse, "sparse"), heads = gpu::upload(test::device(), flags, "flags");
+      trim(recorder, scratch, from, heads, batch);
       recorder.submit();
       CAPTURE(surfaces);
       CAPTURE(one_in);
@@ -111,7 +112,8 @@ TEST_CASE("compression finds the chunks and decompression undoes it, for every l
       gpu::Recorder recorder(test::device());
       CompressScratch scratch;
       Chunks chunks;
-      compress(recorder, scratch, upload_keys(keys), n, chunks);
+      const gpu::Buffer uploaded = upload_keys(keys);
+      compress(recorder, scratch, uploaded, n, chunks);
       recorder.submit();
       CAPTURE(n);
       CAPTURE(length);

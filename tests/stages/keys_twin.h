@@ -48,10 +48,24 @@ inline uint32_t hilbert_twin(uint32_t x, uint32_t y, uint32_t bits) {
   return 3 * quarter + hilbert_twin(half - 1 - y, 2 * half - 1 - x, bits - 1);
 }
 
-/// Theta over pi, (phi + pi) over 2 pi, by the standard library.
-inline glm::dvec2 spherical_twin(glm::vec3 d) {
-  const double pi = std::acos(-1.0);
-  return {std::atan2(std::hypot(double(d.x), double(d.z)), double(d.y)) / pi, std::atan2(double(d.z), double(d.x)) / (2 * pi) + 0.5};
+/// Abramowitz and Stegun 4.4.49, as lib/spherical.glsl has it.
+inline float atan_twin(float y, float x) {
+  const float longer = std::max(std::abs(x), std::abs(y)), ratio = std::min(std::abs(x), std::abs(y)) * (1.0f / longer);
+  const float square = ratio * ratio;
+  float p = 0.0028662257f;
+  for (float coefficient : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f, -0.1420889944f, 0.1999355085f,
+                            -0.3333314528f, 1.0f})
+    p = p * square + coefficient;
+  float angle = p * ratio;
+  if (std::abs(y) > std::abs(x)) angle = 1.57079632679f - angle;
+  if (x < 0) angle = 3.14159265359f - angle;
+  return y < 0 ? -angle : angle;
+}
+
+/// Theta over pi, (phi + pi) over 2 pi.
+inline glm::vec2 spherical_twin(glm::vec3 d) {
+  const float level = std::sqrt(d.x * d.x + d.z * d.z);
+  return {atan_twin(level, d.y) * 0.318309886184f, atan_twin(d.z, d.x) * 0.159154943092f + 0.5f};
 }
 
 inline uint32_t key_twin(const std::string& name, glm::vec3 place, glm::vec3 d, uint32_t kind) {

@@ -109,6 +109,7 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
   begin(rays);
   hierarchy::build(recorder_, {rays.sorted, rays.batch.segments, options.algorithm, options.narrow_cones}, hierarchy_);
   std::vector<shared::HitPair> pairs;
+  uint32_t portions = 0;
   for (size_t s = 0; s < rays.batch.segments.size(); ++s) {
     const rays::Segment& segment = rays.batch.segments[s];
     if (segment.count == 0) continue;
@@ -117,6 +118,7 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
     traversal::traverse(recorder_, in, depth, hierarchy_.levels[depth - 1].segments[s], scratch_,
                         [&](const traversal::Candidates& candidates) {
                           const auto part = recorder_.read<shared::HitPair>(candidates.pairs, candidates.count);
+                          ++portions;
                           pairs.insert(pairs.end(), part.begin(), part.end());
                           intersection::intersect(recorder_, {scene, rays.batch, hits_, counters_, row, options.submit_work},
                                                   hierarchy_, rays.sorted, rays.order, candidates);
@@ -124,6 +126,7 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
   }
   Traced traced = result(rays);
   traced.pairs = std::move(pairs);
+  traced.portions = portions;
   return traced;
 }
 
