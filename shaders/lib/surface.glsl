@@ -73,15 +73,16 @@ vec3 point_at(vec3 weights, vec3 a, vec3 b, vec3 c) {
 
 /// Whether rays bend: a solid, not a thin wall (KHR_materials_volume).
 bool bends(Material material) {
-  return material.thickness > 0.0 && material.transmission > 0.0 && material.ior > 0.0;
+  float transmission = material.body.y, ior = material.body.z, thickness = material.body.w;
+  return thickness > 0.0 && transmission > 0.0 && ior > 0.0;
 }
 
 float eta_of(Material material, bool front) {
   if (!bends(material)) return 1.0;
-  return front ? 1.0 / material.ior : material.ior;
+  return front ? 1.0 / material.body.z : material.body.z;
 }
 
 /// F0 of the part that is not metal.
-float dielectric_share(Material material, float metallic) { return dielectric_f0(material.ior) * (1.0 - metallic); }
+float dielectric_share(Material material, float metallic) { return dielectric_f0(material.body.z) * (1.0 - metallic); }
 
 #endif

@@ -8,6 +8,8 @@
 
 const uint wrap_repeat = 0u, wrap_clamp = 1u, wrap_mirror = 2u;
 
+uint wrap_of(Texture image, uint shift) { return image.flags >> shift & 3u; }
+
 /// The sRGB curve's inverse: coded 0..1 to linear light.
 vec3 srgb_to_linear(vec3 coded) {
   vec3 low = coded / 12.92;
@@ -22,30 +24,31 @@ float reduced(float u, uint wrap) {
   return wrap == wrap_repeat ? u - floor(u) : u - 2.0 * floor(u * 0.5);
 }
 
-/// A texel's index, which may lie outside by up to the texture's size, brought inside.
+/// The index of a texel or of its neighbour, brought inside. No division: lavapipe does it lane by lane.
 int wrapped(int i, int size, uint wrap) {
   if (wrap == wrap_clamp) return clamp(i, 0, size - 1);
-  if (wrap == wrap_repeat) return (i + size) % size;
-  int twice = (i + 2 * size) % (2 * size);
-  return twice < size ? twice : 2 * size - 1 - twice;
+  int period = wrap == wrap_repeat ? size : 2 * size;
+  int inside = i < 0 ? i + period : i >= period ? i - period : i;
+  return inside < size ? inside : 2 * size - 1 - inside;
 }
 
 vec4 texel(Texture image, ivec2 at) {
-  int x = wrapped(at.x, int(image.width), image.wrap_s);
-  int y = wrapped(at.y, int(image.height), image.wrap_t);
-  vec4 value = unpackUnorm4x8(texel_word(image.page, image.first + uint(y) * image.width + uint(x)));
-  return image.srgb == 1u ? vec4(srgb_to_linear(value.rgb), value.a) : value;
+  int x = wrapped(at.x, int(image.width), wrap_of(image, texture_wrap_s_shift));
+  int y = wrapped(at.y, int(image.height), wrap_of(image, texture_wrap_t_shift));
+  vec4 value = unpackUnorm4x8(texel_word(image.flags & 3u, image.first + uint(y) * image.width + uint(x)));
+  return (image.flags & texture_srgb) != 0u ? vec4(srgb_to_linear(value.rgb), value.a) : value;
 }
 
 /// The texture at `uv`: nearest or bilinear, each texel decoded before it is filtered.
 vec4 sample_texture(Texture image, vec2 uv) {
   vec2 size = vec2(float(image.width), float(image.height));
-  vec2 at = vec2(reduced(uv.x, image.wrap_s), reduced(uv.y, image.wrap_t)) * size;
-  if (image.nearest == 1u) return texel(image, ivec2(floor(at)));
-  vec2 corner = floor(at - 0.5);
-  vec2 part = at - 0.5 - corner;
+  vec2 at = vec2(reduced(uv.x, wrap_of(image, texture_wrap_s_shift)),
+                 reduced(uv.y, wrap_of(image, texture_wrap_t_shift))) * size;
+  bool nearest = (image.flags & texture_nearest) != 0u;
+  vec2 corner = floor(nearest ? at : at - 0.5);
+  vec2 part = nearest ? vec2(0.0) : at - 0.5 - corner;
   vec4 sum = vec4(0.0);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < (nearest ? 1 : 4); ++i) {
     ivec2 step = ivec2(i & 1, i >> 1);
     vec2 share = mix(vec2(1.0) - part, part, vec2(step));
     sum += texel(image, ivec2(corner) + step) * (share.x * share.y);

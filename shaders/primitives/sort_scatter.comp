@@ -6,7 +6,7 @@
 #include "primitives/sort_pass.glsl"
 
 layout(constant_id = 1) const bool values_only = false;  // the last pass may leave the keys out
-layout(constant_id = 2) const bool unstable = false;     // test-only fault: lanes walk their runs backwards
+layout(constant_id = 2) const bool unstable = false;     // test-only fault: all lanes but the last walk backwards
 
 layout(scalar, binding = 1) buffer Places { uint places[]; };  // the histogram after its exclusive scan
 layout(scalar, binding = 2) writeonly buffer Sorted { uvec2 sorted[]; };
@@ -24,9 +24,10 @@ void main() {
   const uint lane = invocation_index();
   if (lane >= lanes) return;
   const uint begin = part_begin(lane), end = part_end(lane);
+  const bool backwards = unstable && lane + 1 < lanes;
   for (uint i = begin; i < end; i += unroll) {
     uvec2 loaded[unroll];
-    for (uint k = 0; k < unroll; ++k) loaded[k] = pairs[unstable ? begin + end - 1 - i - k : i + k];
+    for (uint k = 0; k < unroll; ++k) loaded[k] = pairs[backwards ? begin + end - 1 - i - k : i + k];
     for (uint k = 0; k < unroll; ++k) put(loaded[k], lane);
   }
 }

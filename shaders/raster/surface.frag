@@ -6,9 +6,9 @@
 #include "lib/exact.glsl"
 #include "raster/view.glsl"
 #include "scene/surface.glsl"
+#define VARYING in
+#include "raster/varyings.glsl"
 
-layout(location = 0) flat in uint in_triangle;
-layout(location = 1) in vec3 in_weights;
 layout(location = 0) out vec4 out_position;  // w: roughness
 layout(location = 1) out vec4 out_normal;    // shading normal, on the eye's side; w: transmission
 layout(location = 2) out vec4 out_diffuse;   // base colour less metal; w: metallic
@@ -16,13 +16,11 @@ layout(location = 3) out vec4 out_specular;  // F0; w: 1
 layout(location = 4) out uint out_triangle;  // its number from 1 on; 0: nothing
 
 void main() {
-  vec3 weights = max(in_weights, vec3(0.0));
-  weights /= max(weights.x + weights.y + weights.z, 1e-6);
-  vec3 point = point_at(weights, corner_a[in_triangle].xyz, corner_b[in_triangle].xyz, corner_c[in_triangle].xyz);
-  Surface seen = surface_at(in_triangle, weights, eye_ray(point));
+  Attributes at = Attributes(normal, colour, texcoords.xy, texcoords.zw);
+  Surface seen = surface_of(material_of(drawn_triangle), at, position, front, eye_ray(position));
   out_position = vec4(seen.position, seen.roughness);
   out_normal = vec4(seen.normal, seen.transmission);
   out_diffuse = vec4(seen.diffuse, seen.metallic);
   out_specular = vec4(seen.specular, 1.0);
-  out_triangle = in_triangle + 1u;
+  out_triangle = drawn_triangle + 1u;
 }

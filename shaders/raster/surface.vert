@@ -3,12 +3,11 @@
 // and a perspective eye no far end. A triangle whose back lets eye rays pass and faces the eye is put outside the image.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "lib/surface.glsl"
+#include "lib/exact.glsl"
 #include "raster/view.glsl"
-#include "scene/tables.glsl"
-
-layout(location = 0) flat out uint out_triangle;
-layout(location = 1) out vec3 out_weights;
+#include "scene/surface.glsl"
+#define VARYING out
+#include "raster/varyings.glsl"
 
 vec4 projected(vec3 point) {
   vec3 way = point - eye;
@@ -17,11 +16,23 @@ vec4 projected(vec3 point) {
   return vec4(seen.xy + shift * seen.z, near_plane, seen.z);
 }
 
+void hand_over_vertex(uint corner) {
+  Source source = sources[drawn_triangle];
+  Instance instance = instances[source.instance];
+  Vertex vertex = vertices[corners_of(source, instance.normal0.w != 0.0)[corner]];
+  normal = normal_to_world(instance, vertex.normal);
+  colour = unpackUnorm4x8(vertex.colour);
+  texcoords = vec4(vertex.uv0, vertex.uv1);
+}
+
 void main() {
-  uint triangle = uint(gl_VertexIndex) / 3u, corner = uint(gl_VertexIndex) % 3u;
-  vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
-  bool passes = (flags_of(triangle) & triangle_cull_back) != 0u && !meets_front(front_normal(a, b, c), eye_ray(a));
-  out_triangle = triangle;
-  out_weights = vec3(equal(uvec3(corner), uvec3(0u, 1u, 2u)));
-  gl_Position = passes ? vec4(2.0, 2.0, 2.0, 1.0) : projected(corner == 0u ? a : corner == 1u ? b : c);
+  drawn_triangle = uint(gl_VertexIndex) / 3u;
+  uint corner = uint(gl_VertexIndex) % 3u;
+  vec4 a = corner_a[drawn_triangle];
+  vec3 b = corner_b[drawn_triangle].xyz, c = corner_c[drawn_triangle].xyz;
+  front = front_normal(a.xyz, b, c);
+  position = corner == 0u ? a.xyz : corner == 1u ? b : c;
+  hand_over_vertex(corner);
+  bool passes = (floatBitsToUint(a.w) & triangle_cull_back) != 0u && !meets_front(front, eye_ray(a.xyz));
+  gl_Position = passes ? vec4(2.0, 2.0, 2.0, 1.0) : projected(position);
 }

@@ -1,5 +1,5 @@
-// The material at a point of a drawn triangle: one function for the raster pass and for the hits of every bounce.
-// Needs SCENE_BINDING (scene/tables.glsl).
+// The material at a point of a drawn triangle: one function, surface_of, for the raster pass and for the hits of every
+// bounce. Needs SCENE_BINDING (scene/tables.glsl).
 
 #include "scene/tables.glsl"
 #include "lib/surface.glsl"
@@ -12,6 +12,10 @@ struct Attributes {
   vec2 uv0;
   vec2 uv1;
 };
+
+vec3 normal_to_world(Instance instance, vec3 normal) {
+  return vec3(dot(instance.normal0.xyz, normal), dot(instance.normal1.xyz, normal), dot(instance.normal2.xyz, normal));
+}
 
 /// Which stored vertices the corners a, b, c are: a mirrored instance has swapped b and c.
 uvec3 corners_of(Source source, bool mirrored) {
@@ -31,40 +35,48 @@ Attributes attributes_at(uint triangle, vec3 weights) {
     sum.uv0 += vertex.uv0 * weights[i];
     sum.uv1 += vertex.uv1 * weights[i];
   }
-  sum.normal = vec3(dot(instance.normal0.xyz, sum.normal), dot(instance.normal1.xyz, sum.normal),
-                    dot(instance.normal2.xyz, sum.normal));
+  sum.normal = normal_to_world(instance, sum.normal);
   return sum;
 }
 
-/// A material's texture at the attributes' coordinates; white where it has none.
-vec4 texture_at(uint word, Attributes at) {
-  if (word == none) return vec4(1.0);
-  return sample_texture(textures[word >> 1], (word & 1u) == 0u ? at.uv0 : at.uv1);
+/// What a material's textures hold at a point; white where it has none.
+struct Texels {
+  vec4 base_colour;
+  vec4 metallic_roughness;
+  vec4 emissive;
+  vec4 transmission;
+};
+
+/// One loop over the textures that are there: lavapipe runs through every branch, but ends loops early.
+Texels texels_at(Material material, Attributes at) {
+  uvec4 words = material.textures;
+  Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
+  uvec4 bits = mix(uvec4(1u, 2u, 4u, 8u), uvec4(0u), equal(words, uvec4(none)));
+  for (uint left = bits.x | bits.y | bits.z | bits.w; left != 0u; left &= left - 1u) {
+    int slot = findLSB(left);
+    vec4 value = sample_texture(texture_of(words[slot] >> 1), (words[slot] & 1u) == 0u ? at.uv0 : at.uv1);
+    if (slot == 0) found.base_colour = value;
+    if (slot == 1) found.metallic_roughness = value;
+    if (slot == 2) found.emissive = value;
+    if (slot == 3) found.transmission = value;
+  }
+  return found;
 }
 
-vec3 emission_at(Material material, Attributes at) {
-  return material.emissive_metallic.rgb * texture_at(material.emissive_texture, at).rgb;
-}
-
-/// The surface that a ray along the unit vector `incoming` meets.
-Surface surface_at(uint triangle, vec3 weights, vec3 incoming) {
-  vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
-  Attributes at = attributes_at(triangle, weights);
-  Material material = material_of(triangle);
-  vec3 front = front_normal(a, b, c);
-  vec3 base = material.base_colour.rgb * at.colour.rgb * texture_at(material.base_colour_texture, at).rgb;
-  vec4 metal_rough = texture_at(material.metallic_roughness_texture, at);
-
+/// The surface that a ray along the unit vector `incoming` meets at a point of a triangle with this material and front.
+Surface surface_of(Material material, Attributes at, vec3 position, vec3 front, vec3 incoming) {
+  Texels texels = texels_at(material, at);
+  vec3 base = material.base_colour.rgb * at.colour.rgb * texels.base_colour.rgb;
   Surface found;
-  found.position = point_at(weights, a, b, c);
+  found.position = position;
   found.geometric = turned_normal(front, incoming);
   found.normal = shading_normal(at.normal, found.geometric, incoming);
-  found.metallic = clamp(material.emissive_metallic.w * metal_rough.b, 0.0, 1.0);
-  found.roughness = clamp(material.roughness * metal_rough.g, 0.0, 1.0);
-  found.transmission = clamp(material.transmission * texture_at(material.transmission_texture, at).r, 0.0, 1.0);
+  found.metallic = clamp(material.emissive_metallic.w * texels.metallic_roughness.b, 0.0, 1.0);
+  found.roughness = clamp(material.body.x * texels.metallic_roughness.g, 0.0, 1.0);
+  found.transmission = clamp(material.body.y * texels.transmission.r, 0.0, 1.0);
   found.diffuse = base * (1.0 - found.metallic);
   found.specular = dielectric_share(material, found.metallic) + base * found.metallic;
   found.eta = eta_of(material, meets_front(front, incoming));
-  found.emission = emission_at(material, at);
+  found.emission = material.emissive_metallic.rgb * texels.emissive.rgb;
   return found;
 }

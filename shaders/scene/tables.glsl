@@ -11,7 +11,7 @@ layout(binding = SCENE_BINDING + 4, scalar) readonly buffer Triangles { uvec4 tr
 layout(binding = SCENE_BINDING + 5, scalar) readonly buffer Vertices { Vertex vertices[]; };
 layout(binding = SCENE_BINDING + 6, scalar) readonly buffer Instances { Instance instances[]; };
 layout(binding = SCENE_BINDING + 7, scalar) readonly buffer Materials { Material materials[]; };
-layout(binding = SCENE_BINDING + 8, scalar) readonly buffer Textures { Texture textures[]; };
+layout(binding = SCENE_BINDING + 8, scalar) readonly buffer Textures { uvec4 textures[]; };  // Texture, one load each
 layout(binding = SCENE_BINDING + 9, scalar) readonly buffer Texels0 { uint texels0[]; };
 layout(binding = SCENE_BINDING + 10, scalar) readonly buffer Texels1 { uint texels1[]; };
 layout(binding = SCENE_BINDING + 11, scalar) readonly buffer Texels2 { uint texels2[]; };
@@ -22,6 +22,11 @@ uint texel_word(uint page, uint index) {
   if (page == 1u) return texels1[index];
   if (page == 2u) return texels2[index];
   return texels3[index];
+}
+
+Texture texture_of(uint i) {
+  uvec4 words = textures[i];
+  return Texture(words.x, words.y, words.z, words.w);
 }
 
 uint flags_of(uint triangle) { return floatBitsToUint(corner_a[triangle].w); }

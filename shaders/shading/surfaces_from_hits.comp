@@ -37,9 +37,11 @@ void main() {
     store_nothing(first_out + i, ray.direction.xyz, pixel, path);
     return;
   }
-  vec3 weights = barycentrics(ray.origin.xyz, ray.direction.xyz, corner_a[triangle].xyz, corner_b[triangle].xyz,
-                              corner_c[triangle].xyz);
-  Surface found = surface_at(triangle, weights, ray.direction.xyz);
-  float f0_share = dielectric_share(material_of(triangle), found.metallic);
-  store_surface(first_out + i, triangle, found, ray.direction.xyz, pixel, path, f0_share);
+  vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
+  vec3 weights = barycentrics(ray.origin.xyz, ray.direction.xyz, a, b, c);
+  Material material = material_of(triangle);
+  Surface found = surface_of(material, attributes_at(triangle, weights), point_at(weights, a, b, c),
+                             front_normal(a, b, c), ray.direction.xyz);
+  store_surface(first_out + i, triangle, found, ray.direction.xyz, pixel, path,
+                dielectric_share(material, found.metallic));
 }

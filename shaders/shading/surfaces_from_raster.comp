@@ -26,13 +26,20 @@ layout(binding = 4, r32ui) readonly uniform uimage2D ids;
 #define SURFACES_BINDING 18
 #include "shading/surfaces.glsl"
 
+/// The material without the textures that the attachments already hold.
+Material emissive_only(Material material) {
+  material.textures.xyw = uvec3(none);
+  return material;
+}
+
 /// What the attachments leave out, from the triangle.
 void complete(inout Surface found, uint triangle, Material material, vec3 incoming) {
   vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
   vec3 front = front_normal(a, b, c);
   found.geometric = turned_normal(front, incoming);
   found.eta = eta_of(material, meets_front(front, incoming));
-  found.emission = emission_at(material, attributes_at(triangle, weights_at(found.position, a, b, c)));
+  Attributes at = attributes_at(triangle, weights_at(found.position, a, b, c));
+  found.emission = material.emissive_metallic.rgb * texels_at(emissive_only(material), at).emissive.rgb;
 }
 
 void main() {

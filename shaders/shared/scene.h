@@ -35,31 +35,25 @@ struct Instance {
   vec4 normal2;
 };
 
-/// A texture as the shader samples it. Texels are RGBA8 words in up to four storage buffers (pages).
+/// A texture as the shader samples it: one word of 16 bytes. Texels are RGBA8 words in up to four storage buffers (pages).
 struct Texture {
-  uint page;
   uint first;   ///< index of its first texel in the page
   uint width;
   uint height;
-  uint wrap_s;  ///< 0 repeat, 1 clamp to edge, 2 mirrored repeat
-  uint wrap_t;
-  uint nearest; ///< 1: nearest texel, 0: bilinear
-  uint srgb;    ///< 1: RGB is decoded from sRGB before filtering
+  uint flags;   ///< page (2 bits), wrap_s (2), wrap_t (2): 0 repeat, 1 clamp to edge, 2 mirrored repeat; and:
 };
+CRSH_CONST uint texture_wrap_s_shift = 2u;
+CRSH_CONST uint texture_wrap_t_shift = 4u;
+CRSH_CONST uint texture_nearest = 1u << 6;  ///< nearest texel, else bilinear
+CRSH_CONST uint texture_srgb = 1u << 7;     ///< RGB is decoded from sRGB before filtering
 
-/// KHR metallic-roughness material with transmission, ior and thickness. Texture words: index << 1 | texcoord set, or `none`.
+/// KHR metallic-roughness material with transmission, ior and thickness.
 struct Material {
   vec4 base_colour;
-  vec4 emissive_metallic;     ///< rgb: emissive factor times strength, cd/m2; w: metallic factor
-  float roughness;
-  float transmission;
-  float ior;
-  float thickness;            ///< object space metres; 0: thin-walled, does not bend
-  uint base_colour_texture;
-  uint metallic_roughness_texture;
-  uint emissive_texture;
-  uint transmission_texture;
-  uvec4 tint;                 ///< xyz: -log2 of what one crossing lets through, 16.16 fixed point, saturated: opaque
+  vec4 emissive_metallic;  ///< rgb: emissive factor times strength, cd/m2; w: metallic factor
+  vec4 body;               ///< roughness, transmission, ior, thickness (object space metres; 0: thin-walled, does not bend)
+  uvec4 textures;          ///< base colour, metallic-roughness, emissive, transmission: index << 1 | texcoord set, or `none`
+  uvec4 tint;              ///< xyz: -log2 of what one crossing lets through, 16.16 fixed point, saturated: opaque
 };
 
 CRSH_CONST uint light_point = 0u;

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <set>
-
 #include "cli/render_options.h"
 #include "cli/rows.h"
 #include "gpu/program.h"
@@ -15,8 +12,6 @@ namespace crsh::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const std::string of_preset = "the algorithm's";
 
 /// Names of the node bounds that the build found.
 std::vector<std::string> bound_names() {
@@ -60,7 +55,7 @@ std::string key_named(size_t kind, const std::string& name) {
 
 Option algorithm_option(AlgorithmOptions& algorithm) {
   return {.names = "--algorithm", .value = "NAME",
-          .help = fmt::format("Preset of the switches below: {}. They change one thing of it each.",
+          .help = fmt::format("Preset of the switches below, each of which changes one thing of it: {}.",
                               fmt::join(preset_names(), ", ")),
           .set = [&algorithm](const std::string& name) { algorithm = preset(name); },
           .get = [&algorithm] { return algorithm.preset; }};
@@ -76,7 +71,7 @@ Option key_option(AlgorithmOptions& algorithm) {
           .get = [&algorithm] {
             return by_kind([&](size_t kind) { return algorithm.keys[kind].empty() ? "creation" : algorithm.keys[kind]; });
           },
-          .repeats = true, .initial = of_preset};
+          .repeats = true, .initial = ""};
 }
 
 Option levels_option(AlgorithmOptions& algorithm) {
@@ -87,7 +82,7 @@ Option levels_option(AlgorithmOptions& algorithm) {
             });
           },
           .get = [&algorithm] { return by_kind([&](size_t kind) { return algorithm.levels[kind]; }); },
-          .repeats = true, .initial = of_preset};
+          .repeats = true, .initial = ""};
 }
 
 Option bound_option(AlgorithmOptions& algorithm) {
@@ -95,32 +90,29 @@ Option bound_option(AlgorithmOptions& algorithm) {
   return {.names = "--bound", .value = "NAME", .help = fmt::format("Bound of a node: {}.", fmt::join(names, ", ")),
           .set = [&algorithm, names](const std::string& name) { algorithm.bound = names[parse_choice(name, names)]; },
           .get = [&algorithm] { return algorithm.bound; },
-          .initial = of_preset};
+          .initial = ""};
 }
-
-Option of_the_preset(Option option) { return with_default(of_preset, std::move(option)); }
 
 }  // namespace
 
 OptionGroup algorithm_options(AlgorithmOptions& algorithm) {
-  const std::vector<std::string> off_on = {"off", "on"};
+  const auto plain = [](Option option) { return with_default("", std::move(option)); };  // the preset's
   return {"Algorithm (the picture is the same, bit for bit)",
           {algorithm_option(algorithm),
            key_option(algorithm),
-           of_the_preset(choice("--ray-order", "Order in which rays are created.", algorithm.ray_order, {"scanline", "tiles"})),
-           of_the_preset(choice("--compression", "Compress neighbours of one key into chunks before the sort.",
-                                algorithm.compression, off_on)),
-           of_the_preset(choice("--nodes", "Where nodes end: after every N rays.", algorithm.nodes, {"fixed"})),
-           of_the_preset(integer("--arity", "N", "Children of a node, 2 to 64.", algorithm.arity, 2, 64)),
+           plain(choice("--ray-order", "scanline|tiles", "Order in which rays are created.", algorithm.ray_order,
+                        {"scanline", "tiles"})),
+           plain(on_off("--compression", "Sort runs of neighbours with one key as one.", algorithm.compression)),
+           plain(choice("--nodes", "fixed", "Where nodes end: fixed, after every N rays.", algorithm.nodes, {"fixed"})),
+           plain(integer("--arity", "N", "Children of a node, 2 to 64.", algorithm.arity, 2, 64)),
            levels_option(algorithm),
            bound_option(algorithm),
-           of_the_preset(choice("--fit", "Make a node's bound of its children's, or of all its rays.", algorithm.fit,
-                                {"merged", "all"})),
-           of_the_preset(choice("--interval", "Test the distances, too, that a node's rays can reach.",
-                                algorithm.interval, off_on)),
-           of_the_preset(choice("--mesh-culling", "Test nodes against whole meshes first.", algorithm.mesh_culling, off_on)),
-           of_the_preset(choice("--batches", "Sort the kinds of rays of a bounce together or one after the other.",
-                                algorithm.mixed_batches, {"separate", "mixed"}))}};
+           plain(choice("--fit", "merged|all", "Bound a node's children, or all rays below it.", algorithm.fit,
+                        {"merged", "all"})),
+           plain(on_off("--interval", "Test also the distances that a node's rays reach.", algorithm.interval)),
+           plain(on_off("--mesh-culling", "Test nodes against whole meshes first.", algorithm.mesh_culling)),
+           plain(choice("--batches", "mixed|separate", "Sort a bounce's kinds of rays together, or one by one.",
+                        algorithm.mixed_batches, {"separate", "mixed"}))}};
 }
 
 }  // namespace crsh::cli

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct Option {
   std::function<nlohmann::ordered_json()> get = {};
   bool repeats = false;     ///< every value is set; else only the last one
   bool pixels = false;      ///< changes pixels: an attribute of the EXR
-  std::string initial = {}; ///< the default as the help shows it; empty: as `get` has it
+  std::optional<std::string> initial = {};  ///< the default as the help shows it; none: as `get` has it
   bool hidden = false;      ///< for tests: not in the help, and in the effective options only when set
 
   /// The last of `names`, without its dashes.

@@ -14,9 +14,10 @@ namespace crsh::cli {
 namespace {
 
 const char* const notes =
-    "The difference of two values is absolute for PNG, whose values are 0 to 1, and\n"
-    "relative for OpenEXR: |a-b| / max(|a|, |b|, 0.01). The channels R, G, B, A are\n"
-    "compared unless --layers names others.\n"
+    "A and B are both OpenEXR or both PNG. The difference of two values is absolute\n"
+    "for PNG, whose values are 0 to 1, and relative for OpenEXR: |a-b| divided by\n"
+    "the largest of |a|, |b| and 0.01. R, G, B, A are compared unless --layers names\n"
+    "others.\n"
     "\n"
     "Exit status: 0 no difference beyond the tolerance, 3 different (also in size or\n"
     "channels), 1 a file cannot be read, 2 wrong usage.\n"
@@ -95,7 +96,7 @@ void run_diff(DiffCommand& command) {
 Command diff_command() {
   auto command = std::make_shared<DiffCommand>();
   return {.name = "diff",
-          .summary = "Compares two images, both OpenEXR or both PNG, and names the worst pixel.",
+          .summary = "Compares two images and names the worst pixel.",
           .positionals = {{.name = "A", .set = [command](const std::string& path) { command->a = path; }},
                           {.name = "B", .set = [command](const std::string& path) { command->b = path; }}},
           .groups = diff_options(*command),

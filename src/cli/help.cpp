@@ -37,7 +37,7 @@ std::string row(const std::string& left, const std::string& text) {
 }
 
 std::string default_of(const Option& option) {
-  if (!option.initial.empty() || !option.get) return option.initial;
+  if (option.initial || !option.get) return option.initial.value_or("");
   const nlohmann::ordered_json value = option.get();
   return value.is_null() || value.is_boolean() ? "" : text_of(value);
 }

@@ -264,7 +264,7 @@ OptionGroup output_options(RenderCommand& command) {
            layers_row(command.layers),
            not_effective(text("--stats", "FILE|-", "Write counters and times of the run as JSON.", command.stats)),
            with_default("auto: a bar on a terminal",
-                        not_effective(choice("--progress", "Say on standard error how far the render is.",
+                        not_effective(choice("--progress", "auto|json|none", "Say on standard error how far the render is.",
                                              command.progress, {"auto", "json", "none"}))),
            not_effective(flag("-q,--quiet", "Say nothing but errors.", command.quiet)),
            not_effective(flag("-v,--verbose", "Say how long each stage took.", command.verbose))}};

@@ -34,16 +34,18 @@ Option integer(std::string names, std::string value, std::string help, Integer& 
           .get = [&variable] { return variable; }};
 }
 
-/// `words` by the enumeration's (or bool's) value.
+/// `words` by the enumeration's (or bool's) value; `value` shows them in the help.
 template <class Enum>
-Option choice(std::string names, std::string help, Enum& variable, const std::vector<std::string>& words) {
-  std::string value;
-  for (const std::string& word : words) value += (value.empty() ? "" : "|") + word;
+Option choice(std::string names, std::string value, std::string help, Enum& variable, std::vector<std::string> words) {
   return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
           .set = [&variable, words](const std::string& given) {
             variable = static_cast<Enum>(parse_choice(given, words));
           },
           .get = [&variable, words] { return words[static_cast<size_t>(variable)]; }};
+}
+
+inline Option on_off(std::string names, std::string help, bool& variable) {
+  return choice(std::move(names), "on|off", std::move(help), variable, {"off", "on"});
 }
 
 /// The same row with more said of it.

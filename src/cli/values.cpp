@@ -84,6 +84,7 @@ std::string text_of(const glm::vec3& vector) { return fmt::format("{},{},{}", ve
 
 std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
   if (!value.is_structured()) return value.dump();
   std::vector<std::string> parts;
   for (const auto& [key, part] : value.items())

@@ -39,6 +39,7 @@ AlgorithmOptions crsh_2017() {
 AlgorithmOptions crsh_best() {
   AlgorithmOptions options;
   options.preset = "crsh";
+  options.levels = {4, 3, 3};
   options.compression = false;
   for (size_t kind = 0; kind < kind_count; ++kind) options.keys[kind] = ray_kinds[kind].best_key;
   return options;

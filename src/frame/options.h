@@ -47,6 +47,11 @@ struct AlgorithmOptions {
   bool mixed_batches = true;                 ///< ray kinds of a bounce are sorted and bundled together
 };
 
+/// The preset of this name: brute, rah, crsh-2017 or crsh. Throws UserError that lists them for any other.
+[[nodiscard]] AlgorithmOptions preset(const std::string& name);
+/// Names of all presets, in the order in which tables show them.
+[[nodiscard]] const std::vector<std::string>& preset_names();
+
 struct RenderOptions {
   uint32_t width = 0, height = 512;  ///< width 0: from the camera's aspect
   uint32_t samples = 1, seed = 0, bounces = 4;
@@ -56,14 +61,9 @@ struct RenderOptions {
   std::vector<LightOption> lights;                     ///< not empty: they replace the file's
   std::array<bool, kind_count> rays = {true, true, true};
   bool override_mirror = false;
-  AlgorithmOptions algorithm;
+  AlgorithmOptions algorithm = preset("crsh");
   uint64_t submit_work = uint64_t(1) << 26;            ///< tests a submit
   std::optional<std::string> mutation;                 ///< test-only: a fault to switch on (tests/README.md)
 };
-
-/// The preset of this name: brute, rah, crsh-2017 or crsh. Throws UserError that lists them for any other.
-[[nodiscard]] AlgorithmOptions preset(const std::string& name);
-/// Names of all presets, in the order in which tables show them.
-[[nodiscard]] const std::vector<std::string>& preset_names();
 
 }  // namespace crsh

@@ -64,7 +64,7 @@ void sort(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uin
   CRSH_ASSERT(key_bits <= 32, "a sort by more than 32 bits");
   CRSH_ASSERT(pairs.bytes() >= pair_bytes(n), "a sort past its buffer's end");
   CRSH_ASSERT(pair_bytes(n) <= recorder.device().limits().max_binding, "a sort of more pairs than one binding holds");
-  const SortShape shape = options.shape.value_or(sort_shape(recorder.device(), n));
+  const SortShape shape = options.shape.value_or(sort_shape(recorder.device(), n, key_bits));
   const uint32_t wanted = (key_bits + shape.digit_bits - 1) / shape.digit_bits;
   const uint32_t passes = values ? std::max(wanted, 1u) : wanted;
   if (passes > (values ? 1u : 0u)) grow(recorder, scratch.pairs, pair_bytes(n), "sort.pairs");
@@ -79,12 +79,26 @@ void sort(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uin
   }
 }
 
+/// Bits of a digit, even over all passes, for which the passes touch the least: a pair costs as much as four slots of
+/// the histogram (measured on lavapipe).
+uint32_t cheapest_digit(uint64_t n, uint32_t key_bits, uint32_t lanes) {
+  constexpr uint32_t widest = 13;
+  uint32_t best = 1;
+  uint64_t best_cost = UINT64_MAX;
+  for (uint32_t passes = std::max((key_bits + widest - 1) / widest, 1u); passes <= key_bits; ++passes) {
+    const uint32_t digit = (key_bits + passes - 1) / passes;
+    const uint64_t cost = passes * (4 * n + (uint64_t(lanes) << digit));
+    if (cost < best_cost) best = digit, best_cost = cost;
+  }
+  return best;
+}
+
 }  // namespace
 
-SortShape sort_shape(const gpu::Device& device, uint32_t n) {
+SortShape sort_shape(const gpu::Device& device, uint32_t n, uint32_t key_bits) {
   if (!device.info().software) return {4, 64, 64};
   constexpr uint32_t lanes = 32;
-  return {11, n / (4 * lanes) * 4 + 4, 8};
+  return {cheapest_digit(n, key_bits, lanes), n / (4 * lanes) * 4 + 4, 8};
 }
 
 void sort_pairs(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,

@@ -9,13 +9,14 @@
 
 namespace crsh::primitives {
 
-/// How a sort is cut up. Software devices like few lanes and wide digits, GPUs the opposite.
+/// How a sort is cut up. Software devices like few lanes and wide digits, GPUs many lanes and narrow digits.
 struct SortShape {
-  uint32_t digit_bits = 0;  ///< at most so many a pass; 1 to 11
+  uint32_t digit_bits = 0;  ///< at most so many a pass; 1 to 13
   uint32_t run = 0;         ///< pairs that one lane walks, a part of them a dispatch; a multiple of 4
   uint32_t group = 0;       ///< lanes of a workgroup
 };
-[[nodiscard]] SortShape sort_shape(const gpu::Device& device, uint32_t n);
+/// The shape that `n` pairs and `key_bits` bits are best sorted with on this kind of device.
+[[nodiscard]] SortShape sort_shape(const gpu::Device& device, uint32_t n, uint32_t key_bits);
 
 struct SortOptions {
   std::optional<SortShape> shape;  ///< none: sort_shape()

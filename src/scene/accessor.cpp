@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
+#include <limits>
 #include <string_view>
+#include <utility>
 
 #include "scene/fault.h"
 
@@ -16,23 +18,31 @@ constexpr uint64_t most_zeros = uint64_t{1} << 24u;
 constexpr uint64_t longest_stride = 65535;
 
 uint32_t components_of(const std::string& type, const std::string& where) {
-  constexpr std::pair<std::string_view, uint32_t> types[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+  constexpr std::pair<std::string_view, uint32_t> types[] = {
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
   for (const auto& [name, components] : types)
     if (type == name) return components;
-  throw Fault(where + ".type '" + printable(type, 20) + "' is not known here");
+  throw Fault(where + ".type " + in_quotes(type, 20) + " is not known here");
 }
 
 Component component_of(uint64_t code, const std::string& name) {
   switch (code) {
-    case 5120: case 5121: case 5122: case 5123: case 5125: case 5126: return static_cast<Component>(code);
+    case 5120:
+    case 5121:
+    case 5122:
+    case 5123:
+    case 5125:
+    case 5126: return static_cast<Component>(code);
     default: throw Fault(name + " " + std::to_string(code) + " is none of glTF's");
   }
 }
 
 uint32_t size_of(Component component) {
   switch (component) {
-    case Component::i8: case Component::u8: return 1;
-    case Component::i16: case Component::u16: return 2;
+    case Component::i8:
+    case Component::u8: return 1;
+    case Component::i16:
+    case Component::u16: return 2;
     default: return 4;
   }
 }
@@ -63,10 +73,11 @@ bool is_index_type(Component component) {
 }
 
 /// `count` elements of `size` bytes, `stride` apart, from `offset` on: a Fault unless `view` holds them all.
-std::span<const uint8_t> range(std::span<const uint8_t> view, uint64_t offset, uint64_t count, uint64_t stride, uint64_t size,
-                               const std::string& where) {
+std::span<const uint8_t> range(std::span<const uint8_t> view, uint64_t offset, uint64_t count, uint64_t stride,
+                               uint64_t size, const std::string& where) {
   if (offset > view.size()) throw Fault(where + " starts past the end of its bufferView");
-  if (count > 0 && (count - 1) * stride + size > view.size() - offset) throw Fault(where + " reaches past the end of its bufferView");
+  if (count > 0 && (count - 1) * stride + size > view.size() - offset)
+    throw Fault(where + " reaches past the end of its bufferView");
   return view.subspan(offset);
 }
 
@@ -88,7 +99,8 @@ void Accessor::read_dense(Document& document, const Fields& fields) {
   stride_ = size_;
   if (const std::optional<uint64_t> view = fields.whole("bufferView")) {
     stride_ = document.root().element("bufferViews", *view).whole("byteStride", size_);
-    if (stride_ < size_ || stride_ > longest_stride) throw Fault(where_ + " does not fit the byteStride of its bufferView");
+    if (stride_ < size_ || stride_ > longest_stride)
+      throw Fault(where_ + " does not fit the byteStride of its bufferView");
     data_ = range(document.view(*view), fields.whole("byteOffset", 0), count_, stride_, size_, where_);
     return;
   }
@@ -116,8 +128,10 @@ void Accessor::substitute(Document& document, const Fields& fields, const Fields
   const Component type = component_of(indices->needed_whole("componentType"), indices->name_of("componentType"));
   if (!is_index_type(type)) throw Fault(indices->name_of("componentType") + " is not an unsigned integer");
   const uint32_t step = size_of(type);
-  const auto places = range(document.view(indices->needed_whole("bufferView")), indices->whole("byteOffset", 0), many, step, step, indices->where());
-  const auto news = range(document.view(values->needed_whole("bufferView")), values->whole("byteOffset", 0), many, size_, size_, values->where());
+  const auto places = range(document.view(indices->needed_whole("bufferView")), indices->whole("byteOffset", 0), many,
+                            step, step, indices->where());
+  const auto news = range(document.view(values->needed_whole("bufferView")), values->whole("byteOffset", 0), many,
+                          size_, size_, values->where());
   copy_tightly(document);
   for (uint64_t i = 0; i < many; ++i) {
     const uint32_t place = unsigned_at(places.data() + i * step, type);
@@ -128,10 +142,19 @@ void Accessor::substitute(Document& document, const Fields& fields, const Fields
 
 float Accessor::value(const uint8_t* bytes) const {
   switch (component_) {
-    case Component::i8: { const auto c = load_as<int8_t>(bytes); return normalised_ ? normalised(c) : static_cast<float>(c); }
+    case Component::i8: {
+      const auto c = load_as<int8_t>(bytes);
+      return normalised_ ? normalised(c) : static_cast<float>(c);
+    }
     case Component::u8: return normalised_ ? normalised(*bytes) : static_cast<float>(*bytes);
-    case Component::i16: { const auto c = load_as<int16_t>(bytes); return normalised_ ? normalised(c) : static_cast<float>(c); }
-    case Component::u16: { const auto c = load_as<uint16_t>(bytes); return normalised_ ? normalised(c) : static_cast<float>(c); }
+    case Component::i16: {
+      const auto c = load_as<int16_t>(bytes);
+      return normalised_ ? normalised(c) : static_cast<float>(c);
+    }
+    case Component::u16: {
+      const auto c = load_as<uint16_t>(bytes);
+      return normalised_ ? normalised(c) : static_cast<float>(c);
+    }
     case Component::u32: return static_cast<float>(load_as<uint32_t>(bytes));
     default: return load_as<float>(bytes);
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <span>
 
 #include "scene/document.h"

@@ -15,7 +15,7 @@ Interpolation interpolation_of(const Fields& sampler) {
   if (name.empty() || name == "LINEAR") return Interpolation::linear;
   if (name == "STEP") return Interpolation::step;
   if (name == "CUBICSPLINE") return Interpolation::cubic_spline;
-  throw Fault(sampler.name_of("interpolation") + " '" + printable(name, 20) + "' is none of glTF's");
+  throw Fault(sampler.name_of("interpolation") + " " + in_quotes(name, 20) + " is none of glTF's");
 }
 
 std::optional<Path> path_of(const std::string& name) {
@@ -33,7 +33,8 @@ std::vector<float> read_times(Document& document, uint64_t index) {
   std::vector<float> out(accessor.count());
   for (size_t i = 0; i < out.size(); ++i) {
     out[i] = accessor.at(i).x;
-    if (!std::isfinite(out[i]) || (i > 0 && out[i] < out[i - 1])) throw Fault(accessor.where() + " has times that fall or are not finite");
+    if (!std::isfinite(out[i]) || (i > 0 && out[i] < out[i - 1]))
+      throw Fault(accessor.where() + " has times that fall or are not finite");
   }
   return out;
 }
@@ -46,7 +47,8 @@ std::vector<glm::vec4> read_values(Document& document, uint64_t index, uint32_t 
   std::vector<glm::vec4> out(needed);
   for (size_t i = 0; i < out.size(); ++i) {
     out[i] = accessor.at(i);
-    if (!std::isfinite(out[i].x + out[i].y + out[i].z + out[i].w)) throw Fault(accessor.where() + " has a value that is not finite");
+    if (!std::isfinite(out[i].x + out[i].y + out[i].z + out[i].w))
+      throw Fault(accessor.where() + " has a value that is not finite");
   }
   return out;
 }
@@ -70,9 +72,11 @@ glm::vec4 slerp(const glm::vec4& a, glm::vec4 b, float t) {
 
 /// Hermite spline (glTF 2.0, appendix C.5) between keys k and k + 1, `span` seconds apart.
 glm::vec4 spline(const std::vector<glm::vec4>& values, size_t k, float t, float span) {
-  const glm::vec4 &from = values[3 * k + 1], &leaving = values[3 * k + 2], &arriving = values[3 * k + 3], &to = values[3 * k + 4];
+  const glm::vec4 &from = values[3 * k + 1], &leaving = values[3 * k + 2], &arriving = values[3 * k + 3],
+                  &to = values[3 * k + 4];
   const float t2 = t * t, t3 = t2 * t;
-  return from * (2 * t3 - 3 * t2 + 1) + leaving * (span * (t3 - 2 * t2 + t)) + to * (3 * t2 - 2 * t3) + arriving * (span * (t3 - t2));
+  return from * (2 * t3 - 3 * t2 + 1) + leaving * (span * (t3 - 2 * t2 + t)) + to * (3 * t2 - 2 * t3) +
+         arriving * (span * (t3 - t2));
 }
 
 glm::vec4 key_value(const Channel& channel, size_t k) {
@@ -83,19 +87,22 @@ glm::vec4 between_keys(const Channel& channel, size_t k, double seconds) {
   const double first = channel.times[k], span = channel.times[k + 1] - first;
   const auto t = static_cast<float>((seconds - first) / span);
   if (channel.interpolation == Interpolation::step) return key_value(channel, k);
-  if (channel.interpolation == Interpolation::cubic_spline) return spline(channel.values, k, t, static_cast<float>(span));
-  if (channel.path == Path::rotation) return slerp(unit_rotation(key_value(channel, k)), unit_rotation(key_value(channel, k + 1)), t);
+  if (channel.interpolation == Interpolation::cubic_spline)
+    return spline(channel.values, k, t, static_cast<float>(span));
+  if (channel.path == Path::rotation)
+    return slerp(unit_rotation(key_value(channel, k)), unit_rotation(key_value(channel, k + 1)), t);
   return glm::mix(key_value(channel, k), key_value(channel, k + 1), t);
 }
 
 /// The channel that `fields` describes, if crsh animates what it aims at.
-std::optional<Channel> read_channel(Document& document, const Fields& animation, const Fields& fields, const NodeMap& nodes,
-                                    const Scene& scene, Notes& notes) {
+std::optional<Channel> read_channel(Document& document, const Fields& animation, const Fields& fields,
+                                    const NodeMap& nodes, const Scene& scene, Notes& notes) {
   const std::optional<Fields> target = fields.object("target");
   if (!target) throw Fault(fields.name_of("target") + " is missing");
   const std::optional<Path> path = path_of(target->text("path"));
   if (!path) {
-    notes.add("animation of " + (target->text("path") == "weights" ? "morph targets" : "'" + printable(target->text("path"), 40) + "'"));
+    const std::string& what = target->text("path");
+    notes.add("animation of " + (what == "weights" ? std::string("morph targets") : in_quotes(what, 40)));
     return {};
   }
   const std::optional<uint64_t> file_node = target->whole("node");
@@ -106,7 +113,8 @@ std::optional<Channel> read_channel(Document& document, const Fields& animation,
   const Fields sampler = animation.element("samplers", fields.needed_whole("sampler"));
   Channel out{*node, *path, interpolation_of(sampler), read_times(document, sampler.needed_whole("input")), {}};
   const uint64_t values_a_key = out.interpolation == Interpolation::cubic_spline ? 3 : 1;
-  out.values = read_values(document, sampler.needed_whole("output"), *path == Path::rotation ? 4 : 3, out.times.size() * values_a_key);
+  out.values = read_values(document, sampler.needed_whole("output"), *path == Path::rotation ? 4 : 3,
+                           out.times.size() * values_a_key);
   return out;
 }
 
@@ -133,7 +141,8 @@ glm::vec4 sample(const Channel& channel, double seconds) {
                                       [](double time, float key) { return time < static_cast<double>(key); });
   const auto keys_before = static_cast<size_t>(after - channel.times.begin());
   const bool inside = keys_before > 0 && keys_before < channel.times.size();
-  const glm::vec4 value = inside ? between_keys(channel, keys_before - 1, seconds) : key_value(channel, keys_before > 0 ? keys_before - 1 : 0);
+  const glm::vec4 value = inside ? between_keys(channel, keys_before - 1, seconds)
+                                 : key_value(channel, keys_before > 0 ? keys_before - 1 : 0);
   return channel.path == Path::rotation ? unit_rotation(value) : value;
 }
 

@@ -19,7 +19,8 @@ constexpr float brightest = 1e15f;
 uint32_t skin_node(Document& document, uint64_t skin, uint32_t mesh_node, const NodeMap& nodes, Scene& scene) {
   const Fields fields = document.root().element("skins", skin);
   const std::vector<uint64_t> joints = fields.wholes("joints");
-  if (joints.empty() || joints[0] >= nodes.node_of.size()) throw Fault(fields.name_of("joints") + " names no node of the file");
+  if (joints.empty() || joints[0] >= nodes.node_of.size())
+    throw Fault(fields.name_of("joints") + " names no node of the file");
   if (!nodes.node_of[joints[0]]) return mesh_node;
   Node out;
   out.name = scene.nodes[mesh_node].name;
@@ -63,11 +64,14 @@ class MeshList {
   std::map<uint64_t, std::optional<uint32_t>> places_;
 };
 
-std::string first_filled(const std::string& name, const std::string& otherwise) { return name.empty() ? otherwise : name; }
+std::string first_filled(const std::string& name, const std::string& otherwise) {
+  return name.empty() ? otherwise : name;
+}
 
 void read_perspective(Camera& out, const Fields& fields) {
   out.yfov = fields.needed_number("yfov");
-  if (!(out.yfov > 0 && out.yfov < std::numbers::pi_v<float>)) throw Fault(fields.name_of("yfov") + " is not between 0 and 180 degrees");
+  if (!(out.yfov > 0 && out.yfov < std::numbers::pi_v<float>))
+    throw Fault(fields.name_of("yfov") + " is not between 0 and 180 degrees");
   out.near_plane = fields.needed_number("znear");
   if (!(out.near_plane > 0)) throw Fault(fields.name_of("znear") + " is not positive");
   if (const auto aspect = fields.number("aspectRatio"); aspect && *aspect > 0) out.aspect = aspect;
@@ -88,7 +92,8 @@ Camera read_camera(const Fields& fields, uint32_t node, const std::string& node_
   out.node = node;
   const std::string& type = fields.text("type");
   const std::optional<Fields> kind = fields.object(type == "orthographic" ? "orthographic" : "perspective");
-  if ((type != "perspective" && type != "orthographic") || !kind) throw Fault(fields.name_of("type") + " is neither perspective nor orthographic");
+  if ((type != "perspective" && type != "orthographic") || !kind)
+    throw Fault(fields.name_of("type") + " is neither perspective nor orthographic");
   type == "perspective" ? read_perspective(out, *kind) : read_orthographic(out, *kind);
   return out;
 }
@@ -98,7 +103,7 @@ LightType light_type(const Fields& fields) {
   if (type == "point") return LightType::point;
   if (type == "spot") return LightType::spot;
   if (type == "directional") return LightType::directional;
-  throw Fault(fields.name_of("type") + " '" + printable(type, 20) + "' is not known here");
+  throw Fault(fields.name_of("type") + " " + in_quotes(type, 20) + " is not known here");
 }
 
 /// Angles are brought in order, so that the falloff between them is never divided by less than nothing.
@@ -114,7 +119,8 @@ Light read_light(const Fields& fields, uint32_t node, const std::string& node_na
   out.name = first_filled(fields.text("name"), node_name);
   out.node = node;
   out.type = light_type(fields);
-  if (const auto c = fields.numbers<3>("color")) out.colour = glm::clamp(glm::vec3((*c)[0], (*c)[1], (*c)[2]), 0.0f, brightest);
+  if (const auto c = fields.numbers<3>("color"))
+    out.colour = glm::clamp(glm::vec3((*c)[0], (*c)[1], (*c)[2]), 0.0f, brightest);
   out.intensity = std::clamp(fields.number("intensity", 1), 0.0f, brightest);
   if (const auto range = fields.number("range")) {
     if (*range <= 0) throw Fault(fields.name_of("range") + " is not positive");

@@ -55,7 +55,8 @@ void fill_bounds(Mesh& mesh) {
     const ExactSphere own = triangle_sphere(a, b, c);
     similar = std::max(similar, glm::distance(own.centre, centre) + own.radius);
     // An affine map moves the triangle's sphere within it: only the corners bound where its centre goes.
-    affine = std::max(affine, std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}) + own.radius);
+    affine = std::max(
+        affine, std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}) + own.radius);
   }
   mesh.cover_similar = rounded_outwards(similar);
   mesh.cover_affine = rounded_outwards(affine);

@@ -46,6 +46,12 @@ bool transmits(const Material& material) { return material.transmission > 0 && m
 /// A solid that bends rays: they have to meet its far side from inside, whatever doubleSided says.
 bool is_solid(const Material& material) { return material.transmission > 0 && material.thickness > 0; }
 
+/// All but the page.
+uint32_t flags_of(const Texture& texture, bool srgb) {
+  return uint32_t(texture.wrap_s) << shared::texture_wrap_s_shift | uint32_t(texture.wrap_t) << shared::texture_wrap_t_shift |
+         (texture.nearest ? shared::texture_nearest : 0) | (srgb ? shared::texture_srgb : 0);
+}
+
 /// Numbers the textures in the order in which materials ask for them.
 class TextureTable {
  public:
@@ -70,8 +76,7 @@ class TextureTable {
     for (const auto& [index, srgb] : keys_) {
       const Texture& texture = scene_.textures[index];
       const Placement at = *texels.placements[texture.image];
-      all.push_back({at.page, at.first, at.width, at.height, uint32_t(texture.wrap_s), uint32_t(texture.wrap_t),
-                     texture.nearest ? 1u : 0u, srgb ? 1u : 0u});
+      all.push_back({at.first, at.width, at.height, at.page | flags_of(texture, srgb)});
     }
     return all;
   }
@@ -87,14 +92,11 @@ shared::Material device_material(const Scene& scene, const Material& material, T
   shared::Material out{};
   out.base_colour = material.base_colour;
   out.emissive_metallic = glm::vec4(material.emissive, material.metallic);
-  out.roughness = material.roughness;
-  out.transmission = material.transmission;
-  out.ior = material.ior;
-  out.thickness = material.thickness;
-  out.base_colour_texture = textures.word(material.base_colour_texture, true);
-  out.metallic_roughness_texture = textures.word(material.metallic_roughness_texture, false);
-  out.emissive_texture = textures.word(material.emissive_texture, true);
-  out.transmission_texture = textures.word(material.transmission_texture, false);
+  out.body = {material.roughness, material.transmission, material.ior, material.thickness};
+  out.textures = {textures.word(material.base_colour_texture, true),
+                  textures.word(material.metallic_roughness_texture, false),
+                  textures.word(material.emissive_texture, true),
+                  textures.word(material.transmission_texture, false)};
   out.tint = tint_of(scene, material);
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "scene/fault.h"
 
@@ -34,7 +35,8 @@ std::span<const uint8_t> take_chunk(std::span<const uint8_t>& rest) {
 /// glTF 2.0, section 4.4: a header of 12 bytes, the JSON chunk, perhaps the binary one, others to be ignored.
 Container split_glb(std::span<const uint8_t> bytes) {
   if (bytes.size() < 20) throw Fault("is cut short", "copy or export it again");
-  if (word_at(bytes, 4) != 2) throw Fault("is a binary glTF of version " + std::to_string(word_at(bytes, 4)), "convert it to glTF 2.0");
+  if (word_at(bytes, 4) != 2)
+    throw Fault("is a binary glTF of version " + std::to_string(word_at(bytes, 4)), "convert it to glTF 2.0");
   const uint32_t length = word_at(bytes, 8);
   if (length > bytes.size()) throw Fault("is cut short", "copy or export it again");
   if (length < 20) throw Fault("has a broken header");
@@ -61,7 +63,7 @@ std::pair<unsigned, unsigned> version_of(const std::string& text) {
   unsigned major = 0, minor = 0;
   char rest = 0;
   if (text.size() > 6 || std::sscanf(text.c_str(), "%u.%u%c", &major, &minor, &rest) != 2)
-    throw Fault("its glTF version is '" + printable(text, 20) + "'", "convert it to glTF 2.0");
+    throw Fault("its glTF version is " + in_quotes(text, 20), "convert it to glTF 2.0");
   return {major, minor};
 }
 
@@ -71,7 +73,8 @@ void check_version(const Fields& root) {
   const auto version = version_of(asset->text("version"));
   const std::string& least = asset->text("minVersion");
   if (version.first != 2 || (!least.empty() && version_of(least) > std::pair(2u, 0u)))
-    throw Fault("needs glTF " + printable(least.empty() ? asset->text("version") : least, 20), "convert it to glTF 2.0");
+    throw Fault("needs glTF " + printable(least.empty() ? asset->text("version") : least, 20),
+                "convert it to glTF 2.0");
 }
 
 }  // namespace
@@ -107,7 +110,8 @@ std::span<const uint8_t> Document::buffer(uint64_t index) {
   auto found = buffers_.find(index);
   if (found == buffers_.end()) found = buffers_.emplace(index, read_buffer(fields, index, length)).first;
   if (found->second.size() < length)
-    throw Fault(fields.where() + " is cut short: " + std::to_string(found->second.size()) + " of " + std::to_string(length) + " bytes",
+    throw Fault(fields.where() + " is cut short: " + std::to_string(found->second.size()) + " of " +
+                    std::to_string(length) + " bytes",
                 "copy or export it again");
   return std::span(found->second).first(length);
 }

@@ -1,6 +1,7 @@
 #pragma once
 // A glTF file's JSON and binary data.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>

@@ -20,6 +20,13 @@ std::string printable(std::string_view text, size_t limit) {
   return end < text.size() ? out + "..." : out;
 }
 
+std::string in_quotes(std::string_view text, size_t limit) {
+  std::string out = "'";
+  out += printable(text, limit);
+  out += '\'';
+  return out;
+}
+
 void Notes::add(std::string_view clause) {
   const std::string line = printable(clause, 200);
   if (list_.size() > most_notes || std::find(list_.begin(), list_.end(), line) != list_.end()) return;

@@ -22,6 +22,9 @@ class Fault : public std::runtime_error {
 /// Text from a file, made fit for one line of a terminal: no control characters, no more than `limit` bytes.
 [[nodiscard]] std::string printable(std::string_view text, size_t limit = 120);
 
+/// The same in single quotes.
+[[nodiscard]] std::string in_quotes(std::string_view text, size_t limit = 120);
+
 /// Short clauses about what the file asks for and crsh does not do, each once.
 class Notes {
  public:

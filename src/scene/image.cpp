@@ -44,7 +44,8 @@ Image decode_image(std::span<const uint8_t> bytes) {
   if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) || width < 1 || height < 1)
     throw Fault("is neither PNG nor JPEG");
   const uint64_t texels = static_cast<uint64_t>(width) * static_cast<uint64_t>(height);
-  if (width > STBI_MAX_DIMENSIONS || height > STBI_MAX_DIMENSIONS || texels > most_texels) throw Fault("has too many texels");
+  if (width > STBI_MAX_DIMENSIONS || height > STBI_MAX_DIMENSIONS || texels > most_texels)
+    throw Fault("has too many texels");
   if (texels > bytes.size() * most_texels_a_byte) throw Fault("is cut short");
   const std::unique_ptr<stbi_uc, void (*)(void*)> data(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <new>
 #include <set>
+#include <stdexcept>
 
 #include "error.h"
 #include "scene/animation.h"
@@ -20,16 +21,17 @@ namespace {
 constexpr float farthest = 1e15f;  // metres; squares and products stay within float
 
 bool is_done_here(std::string_view extension) {
-  constexpr std::array<std::string_view, 6> done = {
-      "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_transmission",
-      "KHR_materials_volume", "KHR_mesh_quantization"};
+  constexpr std::array<std::string_view, 6> done = {"KHR_lights_punctual",  "KHR_materials_emissive_strength",
+                                                    "KHR_materials_ior",    "KHR_materials_transmission",
+                                                    "KHR_materials_volume", "KHR_mesh_quantization"};
   return std::find(done.begin(), done.end(), extension) != done.end();
 }
 
 void check_extensions(const Fields& root, Notes& notes) {
   for (const std::string& name : root.texts("extensionsRequired"))
     if (!is_done_here(name))
-      throw Fault("needs the extension " + printable(name, 60) + ", which crsh does not do", "export the scene without it");
+      throw Fault("needs the extension " + printable(name, 60) + ", which crsh does not do",
+                  "export the scene without it");
   for (const std::string& name : root.texts("extensionsUsed"))
     if (!is_done_here(name)) notes.add("extension " + printable(name, 60));
 }
@@ -47,7 +49,8 @@ void check_transforms(const Scene& scene) {
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r)
         if (!(std::abs(pose.instances[i][c][r]) <= farthest))
-          throw Fault("node '" + printable(scene.nodes[scene.instances[i].node].name, 60) + "' is moved or scaled beyond what can be drawn");
+          throw Fault("node " + in_quotes(scene.nodes[scene.instances[i].node].name, 60) +
+                      " is moved or scaled beyond what can be drawn");
 }
 
 Scene read(const std::filesystem::path& path, const std::string& which) {

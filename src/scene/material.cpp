@@ -33,15 +33,15 @@ Wrap wrap_of(const Fields& sampler, const char* key) {
 /// Reads images and textures when a material first asks for them.
 class TextureReader {
  public:
-  TextureReader(Document& document, Scene& scene, Notes& notes)
-      : document_(document), scene_(scene), notes_(notes) {}
+  TextureReader(Document& document, Scene& scene, Notes& notes) : document_(document), scene_(scene), notes_(notes) {}
 
   /// The texture that `fields[key]` describes, if it is there and can be drawn.
   TextureUse use(const Fields& fields, const char* key) {
     const std::optional<Fields> info = fields.object(key);
     if (!info) return {};
     if (info->extension("KHR_texture_transform")) notes_.add("extension KHR_texture_transform");
-    TextureUse out{texture(info->needed_whole("index")), static_cast<uint32_t>(std::min<uint64_t>(info->whole("texCoord", 0), 2))};
+    TextureUse out{texture(info->needed_whole("index")),
+                   static_cast<uint32_t>(std::min<uint64_t>(info->whole("texCoord", 0), 2))};
     if (out.texcoord > 1) {
       notes_.add("texture coordinates past TEXCOORD_1 (TEXCOORD_0 is used)");
       out.texcoord = 0;
@@ -65,7 +65,8 @@ class TextureReader {
     const std::optional<uint32_t> own_image = image(*source);
     if (!own_image) return {};
     Texture out{*own_image};
-    if (const std::optional<uint64_t> sampler = fields.whole("sampler")) set_sampler(out, document_.root().element("samplers", *sampler));
+    if (const std::optional<uint64_t> sampler = fields.whole("sampler"))
+      set_sampler(out, document_.root().element("samplers", *sampler));
     scene_.textures.push_back(out);
     return static_cast<uint32_t>(scene_.textures.size() - 1);
   }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "scene/accessor.h"
 #include "scene/bounding.h"
@@ -14,7 +16,7 @@ namespace {
 
 constexpr uint32_t unused = 0xFFFFFFFFu;
 constexpr uint64_t triangle_cost = 16;  // in units of Document::spend: 67 million triangles, some 7 GiB, are too many
-constexpr float farthest = 1e15f;          // metres; squares and products stay within float
+constexpr float farthest = 1e15f;       // metres; squares and products stay within float
 
 enum Mode : uint64_t { triangles = 4, strip = 5, fan = 6 };
 constexpr std::array attribute_names = {"POSITION", "NORMAL", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
@@ -67,14 +69,16 @@ class Vertices {
       if (a == 0 || a == 1) sources_[a]->need_components({3});
       if (a == 2 || a == 3) sources_[a]->need_components({2});
       if (a == 4) sources_[a]->need_components({3, 4});
-      if (sources_[a]->count() != count()) throw Fault(sources_[a]->where() + " has not as many elements as the positions");
+      if (sources_[a]->count() != count())
+        throw Fault(sources_[a]->where() + " has not as many elements as the positions");
     }
   }
 
   uint32_t append(Mesh& mesh, uint64_t i) const {
     const glm::vec3 position(sources_[0]->at(i));
     for (int c = 0; c < 3; ++c)
-      if (!(std::abs(position[c]) <= farthest)) throw Fault(sources_[0]->where() + " has a position that is not finite");
+      if (!(std::abs(position[c]) <= farthest))
+        throw Fault(sources_[0]->where() + " has a position that is not finite");
     const auto optional = [i](const std::optional<Accessor>& source) { return source ? source->at(i) : glm::vec4(0); };
     mesh.positions.push_back(position);
     mesh.normals.push_back(unit_or_zero(glm::vec3(optional(sources_[1]))));
@@ -156,7 +160,8 @@ class MeshReader {
       glm::uvec3 triangle;
       const std::array<uint64_t, 3> places = corners(mode, t);
       for (size_t c = 0; c < 3; ++c)
-        triangle[static_cast<int>(c)] = vertices.vertex(mesh, indices ? indices->integer_at(places[c]) : places[c], primitive.where());
+        triangle[static_cast<int>(c)] =
+            vertices.vertex(mesh, indices ? indices->integer_at(places[c]) : places[c], primitive.where());
       mesh.triangles.push_back(triangle);
     }
   }

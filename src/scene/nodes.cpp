@@ -21,12 +21,15 @@ std::optional<uint64_t> index_in(const std::string& which, uint64_t end) {
 
 [[noreturn]] void no_such_scene(const std::string& which, const std::vector<std::string>& names) {
   std::string list;
-  for (size_t i = 0; i < std::min<size_t>(names.size(), 8); ++i)
-    list += (i ? ", " : "") + std::to_string(i) + (names[i].empty() ? "" : " '" + printable(names[i], 40) + "'");
-  throw Fault("has no scene '" + printable(which, 40) + "'", names.empty() ? "leave out --scene" : "choose one of " + list);
+  for (size_t i = 0; i < std::min<size_t>(names.size(), 8); ++i) {
+    list.append(i ? ", " : "").append(std::to_string(i));
+    if (!names[i].empty()) list.append(" ").append(in_quotes(names[i], 40));
+  }
+  throw Fault("has no scene " + in_quotes(which, 40), names.empty() ? "leave out --scene" : "choose one of " + list);
 }
 
-std::optional<uint64_t> chosen_scene(const Fields& root, const std::string& which, const std::vector<std::string>& names) {
+std::optional<uint64_t> chosen_scene(const Fields& root, const std::string& which,
+                                     const std::vector<std::string>& names) {
   if (which.empty()) {
     const std::optional<uint64_t> standard = root.whole("scene");
     if (standard && *standard >= names.size()) throw Fault("'scene' names a scene that is not in the file");
@@ -69,7 +72,8 @@ Node read_node(const Fields& fields, std::optional<uint32_t> parent) {
   out.name = fields.text("name");
   out.parent = parent;
   if (const auto matrix = fields.numbers<16>("matrix")) out.matrix = glm::make_mat4(matrix->data());
-  out.transform = {vec3_of(fields, "translation", glm::vec3(0)), rotation_of(fields), vec3_of(fields, "scale", glm::vec3(1))};
+  out.transform = {vec3_of(fields, "translation", glm::vec3(0)), rotation_of(fields),
+                   vec3_of(fields, "scale", glm::vec3(1))};
   return out;
 }
 
@@ -97,7 +101,8 @@ NodeMap read_nodes(Document& document, const std::string& which, Scene& scene) {
     const auto [node, parent] = stack.back();
     stack.pop_back();
     const Fields fields = root.element("nodes", node);
-    if (map.node_of[node]) throw Fault(fields.where() + " is reached twice: it has two parents, or is its own ancestor");
+    if (map.node_of[node])
+      throw Fault(fields.where() + " is reached twice: it has two parents, or is its own ancestor");
     const auto index = static_cast<uint32_t>(scene.nodes.size());
     map.node_of[node] = index;
     map.file_of.push_back(node);

@@ -74,7 +74,8 @@ class Candidates {
       if (sphere.excess(points_[i]) <= 0 || !sphere.push(points_[i])) continue;
       move_to_front(i);
       sphere.pop();
-      std::rotate(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(i), points_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      std::rotate(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(i),
+                  points_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       ++support_;
     }
   }
@@ -136,8 +137,6 @@ ExactSphere triangle_sphere(const dvec3& a, const dvec3& b, const dvec3& c) {
   return {a + to_centre, std::sqrt(squared_length(to_centre))};
 }
 
-float rounded_outwards(double x) {
-  return std::nextafter(static_cast<float>(x * (1 + 1e-6)), INFINITY);
-}
+float rounded_outwards(double x) { return std::nextafter(static_cast<float>(x * (1 + 1e-6)), INFINITY); }
 
 }  // namespace crsh::scene

@@ -85,7 +85,8 @@ std::string_view scheme_of(std::string_view uri) {
   if (colon == std::string_view::npos || colon == 0) return {};
   const std::string_view scheme = uri.substr(0, colon);
   const bool valid = std::all_of(scheme.begin(), scheme.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-' ||
+           c == '.';
   });
   return valid ? scheme : std::string_view{};
 }
@@ -105,7 +106,8 @@ Bytes read_file(const fs::path& path, uint64_t most) {
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) throw Fault("no such file", "check the path");
   if (status.type() == fs::file_type::directory) throw Fault("is a directory", "name the .gltf or .glb file in it");
-  if (status.type() != fs::file_type::regular) throw Fault("cannot be read as a file", "check the path and its permissions");
+  if (status.type() != fs::file_type::regular)
+    throw Fault("cannot be read as a file", "check the path and its permissions");
   const uint64_t size = std::min<uint64_t>(fs::file_size(path, error), most);
   if (error || size > largest_file) throw Fault("is larger than 4 GiB", "split the scene");
   Bytes bytes(size);
@@ -116,13 +118,14 @@ Bytes read_file(const fs::path& path, uint64_t most) {
 }
 
 std::string uri_name(const std::string& uri) {
-  return is_data(uri) ? "embedded data" : "'" + printable(percent_decoded(uri.substr(0, 400))) + "'";
+  return is_data(uri) ? std::string("embedded data") : in_quotes(percent_decoded(uri.substr(0, 400)));
 }
 
 Bytes read_uri(const std::string& uri, const fs::path& folder, uint64_t most) {
   if (is_data(uri)) return data_of(uri);
   if (const std::string_view scheme = scheme_of(uri); !scheme.empty())
-    throw Fault(uri_name(uri) + " is not a local file", "save it beside the scene and name it without '" + printable(scheme, 16) + ":'");
+    throw Fault(uri_name(uri) + " is not a local file",
+                "save it beside the scene and name it without '" + printable(scheme, 16) + ":'");
   try {
     return read_file(local_path(uri, folder), most);
   } catch (const Fault& fault) {

@@ -43,6 +43,7 @@ class Descent {
   void run(uint32_t depth, Range nodes) {
     if (scratch_.levels.size() < depth) scratch_.levels.resize(depth);
     top_ = depth - 1;
+    give_back();
     const uint32_t blocks = blocks_a_batch();
     const uint32_t tile = std::max<uint32_t>(1, in_.submit_work / (uint64_t(blocks) * shared::block_triangles));
     for (uint32_t first = nodes.first; first < nodes.end(); first += tile) {
@@ -199,6 +200,15 @@ class Descent {
     const uint64_t available = device_.available_bytes();
     const uint64_t budget = available > UINT64_MAX - held ? UINT64_MAX : available + held;
     return std::min(device_.limits().max_binding / sizeof(shared::HitPair), budget / (top_ + 1) / bytes_a_pair);
+  }
+
+  /// An earlier descent with fewer levels may hold more than a level's share is now.
+  void give_back() {
+    const uint64_t most = pair_capacity() * sizeof(shared::HitPair);
+    const auto holds_more = [&](const LevelScratch& lists) { return std::max(lists.pairs.bytes(), lists.masks.bytes()) > most; };
+    if (std::ranges::none_of(scratch_.levels, holds_more)) return;
+    recorder_.submit();
+    for (LevelScratch& lists : scratch_.levels) lists = {};
   }
 
   void reserve_pairs(LevelScratch& lists, uint64_t pairs) {

@@ -94,3 +94,62 @@ TEST_CASE("no bound rejects a ray that hits, whatever the arity, levels, fit, in
       }
   }
 }
+
+TEST_CASE("ray kinds mixed in one batch find the same hits and count the same as each in a batch of its own") {
+  Tracer tracer(test::device());
+  Random random(21);
+  const scene::GpuScene scene = make_scene(tracer.recorder(), hard_objects(random));
+  const Lists lists = ray_lists(random, world_triangles(tracer.recorder(), scene), 300);
+  for (const std::array<uint32_t, 3>& levels : {std::array{2u, 2u, 2u}, {3u, 1u, 5u}}) {
+    TraceOptions options{algorithm(8, 2)};
+    options.algorithm.levels = levels;
+    const Traced mixed = tracer.trace(scene, make_batch(test::device(), lists), options);
+    Traced separate;
+    separate.counters.resize(mixed.counters.size());
+    for (const std::vector<shared::Ray>& list : lists) {
+      const Traced part = tracer.trace(scene, make_batch(test::device(), {list}), options);
+      separate.hits.insert(separate.hits.end(), part.hits.begin(), part.hits.end());
+      for (size_t i = 0; i < part.counters.size(); ++i) separate.counters[i] += part.counters[i];
+    }
+    CHECK(mixed.hits == separate.hits);
+    CHECK(mixed.counters == separate.counters);
+  }
+}
+
+TEST_CASE("two runs give the same pairs in the same order, and the same counters") {
+  Tracer tracer(test::device());
+  const World world = make_world(tracer, 5);
+  for (const uint32_t levels : {1u, 3u}) {
+    const TraceOptions options{algorithm(8, levels)};
+    const Traced first = tracer.trace(world.scene, world.rays, options), second = tracer.trace(world.scene, world.rays, options);
+    CHECK(same_pairs(first.pairs, second.pairs));
+    CHECK(first.counters == second.counters);
+    CHECK(first.hits == second.hits);
+  }
+}
+
+TEST_CASE("with cones 1% too narrow a ray is lost") {
+  Tracer tracer(test::device());
+  const World world = make_world(tracer, 1);
+  const Traced all = tracer.trace_all(world.scene, world.rays);
+  for (const Fit fit : {Fit::merged, Fit::all}) {
+    TraceOptions options{algorithm(8, 2)};
+    options.algorithm.fit = fit;
+    CHECK(different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
+    options.narrow_cones = true;
+    CHECK(!different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
+  }
+}
+
+TEST_CASE("with every 10,000th pair dropped a hit is lost") {
+  Tracer tracer(test::device());
+  Random random(8);
+  const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = wall(100)}});
+  const std::vector<Triangle> triangles = world_triangles(tracer.recorder(), scene);
+  const SortedBatch rays = make_batch(test::device(), {stray_rays(random, triangles, 20'000, shared::kind_reflection)});
+  TraceOptions options{algorithm(2, 1)};
+  const Traced whole = tracer.trace(scene, rays, options);
+  options.drop_every = 10'000;
+  CHECK(whole.pairs.size() > 100'000);
+  CHECK(!different_hits(tracer.trace(scene, rays, options), whole).empty());
+}

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
+#include <cmath>
+
 #include "../unit/scene_file.h"
 #include "error.h"
 #include "scene/document.h"
@@ -49,7 +51,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-std::string triangle_with(const std::string& from, const std::string& to) { return complaint(replaced(one_triangle().gltf(), from, to)); }
+std::string triangle_with(const std::string& from, const std::string& to) {
+  return complaint(replaced(one_triangle().gltf(), from, to));
+}
 
 }  // namespace
 
@@ -64,7 +68,9 @@ TEST_CASE("what is no glTF file") {
   says(complaint(folder.write("old.gltf", R"({"asset":{"version":"1.0"}})")), "glTF 1.0");
   says(complaint(folder.write("new.gltf", R"({"asset":{"version":"2.9","minVersion":"2.9"}})")), "glTF 2.9");
   says(complaint(folder.write("deep.gltf", std::string(1000000, '['))), "JSON is broken");
-  says(complaint(folder.write("deep2.gltf", R"({"asset":{"version":"2.0"},"nodes":)" + std::string(300000, '[') + std::string(300000, ']') + "}")), "nodes[0] is not an object");
+  says(complaint(folder.write("deep2.gltf", R"({"asset":{"version":"2.0"},"nodes":)" + std::string(300000, '[') +
+                                                std::string(300000, ']') + "}")),
+       "nodes[0] is not an object");
   says(complaint(folder.write("number.gltf", R"({"asset":{"version":"2.0"},"scene":1e999})")), "JSON is broken");
 }
 
@@ -79,7 +85,8 @@ TEST_CASE("a pipe is not waited for") {
 TEST_CASE("every truncation of a GLB is refused, and so is every broken header") {
   const Folder folder;
   const std::string whole = one_triangle().glb();
-  for (size_t length = 0; length < whole.size(); ++length) CHECK_FALSE(complaint(folder.write("cut.glb", whole.substr(0, length))).empty());
+  for (size_t length = 0; length < whole.size(); ++length)
+    CHECK_FALSE(complaint(folder.write("cut.glb", whole.substr(0, length))).empty());
   std::string version = whole;
   version[4] = 1;
   says(complaint(folder.write("v1.glb", version)), "version 1");
@@ -105,11 +112,14 @@ TEST_CASE("accessors and views that reach past their end, also where the product
   says(triangle_with(R"("count":3)", R"("count":-3)"), "count is not a whole number");
   says(triangle_with(R"("count":3)", R"("count":3,"byteOffset":4)"), "accessors[0] reaches past the end");
   says(triangle_with(R"("count":3)", R"("count":3,"byteOffset":1000000000000)"), "accessors[0] starts past the end");
-  says(triangle_with(R"("byteOffset":0,"byteLength":36)", R"("byteOffset":1,"byteLength":36)"), "bufferViews[0] reaches past the end");
+  says(triangle_with(R"("byteOffset":0,"byteLength":36)", R"("byteOffset":1,"byteLength":36)"),
+       "bufferViews[0] reaches past the end");
   says(triangle_with(R"("byteLength":36})", R"("byteLength":36,"byteStride":4})"), "does not fit the byteStride");
   says(triangle_with(R"("buffer":0)", R"("buffer":7)"), "buffers[7] is referred to but is not in the file");
   says(triangle_with(R"("bufferView":0)", R"("bufferView":1)"), "bufferViews[1] is referred to");
-  says(complaint(replaced(replaced(one_triangle().gltf(), R"(,"bufferView":0)", ""), R"("count":3)", R"("count":99999999)")), "but no data");
+  says(complaint(
+           replaced(replaced(one_triangle().gltf(), R"(,"bufferView":0)", ""), R"("count":3)", R"("count":99999999)")),
+       "but no data");
   says(triangle_with("5126", "5130"), "componentType 5130");
   says(triangle_with("VEC3", "VEC2"), "wrong type");
   says(triangle_with("VEC3", "VEC9"), "'VEC9' is not known");
@@ -138,7 +148,9 @@ TEST_CASE("indices past their vertices, of the wrong type, and sparse ones past 
   file.primitives = R"({"attributes":{"POSITION":0},"indices":2})";
   says(complaint(file), "unsigned whole numbers");
   file.primitives = R"({"attributes":{"POSITION":3}})";
-  file.accessor("VEC3", 5126, 3, R"(,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123,"byteOffset":4},"values":{"bufferView":0}})");
+  file.accessor(
+      "VEC3", 5126, 3,
+      R"(,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123,"byteOffset":4},"values":{"bufferView":0}})");
   says(complaint(file), "names an element that accessors[3] does not have");
   file.accessors.back() = replaced(file.accessors.back(), R"("sparse":{"count":1)", R"("sparse":{"count":9)");
   says(complaint(file), "more elements");
@@ -160,7 +172,8 @@ TEST_CASE("references to what is not in the file, and values of the wrong kind")
   says(triangle_with(R"("mesh":0)", R"("mesh":1)"), "meshes[1] is referred to");
   says(triangle_with(R"("mesh":0)", R"("camera":0)"), "cameras[0] is referred to");
   says(triangle_with(R"("mesh":0)", R"("mesh":"zero")"), "nodes[0].mesh is not a whole number");
-  says(triangle_with(R"("mesh":0)", R"("mesh":0,"extensions":{"KHR_lights_punctual":{"light":0}})"), "the file has none");
+  says(triangle_with(R"("mesh":0)", R"("mesh":0,"extensions":{"KHR_lights_punctual":{"light":0}})"),
+       "the file has none");
   says(triangle_with(R"("POSITION":0})", R"("POSITION":0},"material":0)"), "material is not in the file");
   says(triangle_with(R"("POSITION":0})", R"("POSITION":0},"mode":9)"), "mode is none of glTF's");
   says(triangle_with(R"({"attributes":{"POSITION":0}})", ""), "primitives is missing");
@@ -172,7 +185,8 @@ TEST_CASE("a small file cannot ask for work without end") {
   GltfText file;
   file.positions(std::vector<float>(3000, 0.0f));
   file.values("SCALAR", 5121, 3000, std::vector<uint8_t>(3000));
-  for (int i = 0; i < 400; ++i) file.primitives += std::string(i ? "," : "") + R"({"attributes":{"POSITION":0},"indices":1})";
+  for (int i = 0; i < 400; ++i)
+    file.primitives += std::string(i ? "," : "") + R"({"attributes":{"POSITION":0},"indices":1})";
   const Folder folder;
   const auto path = folder.write("scene.gltf", file.gltf());
   std::vector<std::string> clauses;
@@ -188,7 +202,8 @@ TEST_CASE("animations that do not fit together") {
   file.values<float>("SCALAR", 5126, 2, {0, 1});
   file.values<float>("VEC3", 5126, 1, {0, 0, 0});
   const auto animation = [&](const std::string& sampler, const std::string& path) {
-    file.more = R"(,"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":")" + path + R"("}}],"samplers":[)" + sampler + "]}]";
+    file.more = R"(,"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":")" + path +
+                R"("}}],"samplers":[)" + sampler + "]}]";
     return complaint(file);
   };
   says(animation(R"({"input":1,"output":3})", "translation"), "times that fall");
@@ -201,11 +216,13 @@ TEST_CASE("animations that do not fit together") {
 
 TEST_CASE("a picture that claims to be huge is left out, not unpacked") {
   // The head of a PNG of 16000 x 16000 texels, and of one of 100000 x 100000.
-  for (const std::string& size : {std::string("\0\0\x3E\x80\0\0\x3E\x80", 8), std::string("\0\1\x86\xA0\0\1\x86\xA0", 8)}) {
+  for (const std::string& size :
+       {std::string("\0\0\x3E\x80\0\0\x3E\x80", 8), std::string("\0\1\x86\xA0\0\1\x86\xA0", 8)}) {
     GltfText file = one_triangle();
     file.view(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16) + size + std::string("\x08\x06\0\0\0\0\0\0\0", 9));
     file.primitives = R"({"attributes":{"POSITION":0},"material":0})";
-    file.more = R"(,"materials":[{"emissiveTexture":{"index":0}}],"textures":[{"source":0}],"images":[{"bufferView":1,"mimeType":"image/png"}])";
+    file.more =
+        R"(,"materials":[{"emissiveTexture":{"index":0}}],"textures":[{"source":0}],"images":[{"bufferView":1,"mimeType":"image/png"}])";
     const scene::Scene scene = file.load();
     CHECK(scene.images.empty());
     CHECK(scene.unsupported.size() == 1);

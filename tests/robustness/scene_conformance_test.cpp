@@ -68,7 +68,8 @@ TEST_CASE("files that the Khronos validator calls valid load, or say what they n
     CAPTURE(outcome.line);
     if (!outcome.loaded) CHECK(outcome.line.find('\n') == std::string::npos);
     if (word["errors"] != 0 || valid_but_refused.contains(name)) continue;
-    const bool needs_extension = outcome.line.find("needs the extension") != std::string::npos && word.contains("required");
+    const bool needs_extension =
+        outcome.line.find("needs the extension") != std::string::npos && word.contains("required");
     CHECK((outcome.loaded || needs_extension));
   }
 }
@@ -79,11 +80,16 @@ TEST_CASE("the scenes to measure with load whole") {
     uint64_t triangles;
     size_t meshes;
   };
-  for (const Expected& expected : {Expected{"sponza/sponza_whole.glb", 66454, 1}, {"sponza/sponza_objects.glb", 66454, 34},
-                                   {"sponza/sponza_textured.glb", 66454, 1}, {"office/office_drafting_objects.glb", 36966, 24},
-                                   {"office/office_drafting_instanced.glb", 36966, 17}, {"cornell/cornell_six_mirrors_790.glb", 790, 7},
-                                   {"cornell/cornell_original.glb", 36, 8}, {"cornell/cornell_mirror_blocks.glb", 36, 8},
-                                   {"models/bunny_69k.glb", 69451, 1}, {"samples/FlightHelmet/FlightHelmet.gltf", 94722, 6}}) {
+  for (const Expected& expected : {Expected{"sponza/sponza_whole.glb", 66454, 1},
+                                   {"sponza/sponza_objects.glb", 66454, 34},
+                                   {"sponza/sponza_textured.glb", 66454, 1},
+                                   {"office/office_drafting_objects.glb", 36966, 24},
+                                   {"office/office_drafting_instanced.glb", 36966, 17},
+                                   {"cornell/cornell_six_mirrors_790.glb", 790, 7},
+                                   {"cornell/cornell_original.glb", 36, 8},
+                                   {"cornell/cornell_mirror_blocks.glb", 36, 8},
+                                   {"models/bunny_69k.glb", 69451, 1},
+                                   {"samples/FlightHelmet/FlightHelmet.gltf", 94722, 6}}) {
     const fs::path path = shared_scenes() / expected.path;
     if (!is_there(path)) continue;
     const scene::Scene scene = scene::load(path);

@@ -16,21 +16,27 @@ namespace {
 /// A small file that uses everything the loader reads.
 GltfText everything() {
   GltfText file;
-  const size_t mixed = file.view(test::bytes_of<float>({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1}), R"(,"byteStride":24)");
+  const size_t mixed =
+      file.view(test::bytes_of<float>({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1}),
+                R"(,"byteStride":24)");
   file.accessor("VEC3", 5126, 4, R"(,"bufferView":)" + std::to_string(mixed));
   file.accessor("VEC3", 5126, 4, R"(,"byteOffset":12,"bufferView":)" + std::to_string(mixed));
   file.values<uint16_t>("VEC2", 5123, 4, {0, 0, 65535, 0, 0, 65535, 65535, 65535}, R"(,"normalized":true)");
   file.values<uint8_t>("VEC4", 5121, 4, std::vector<uint8_t>(16, 200), R"(,"normalized":true)");
   file.values<uint16_t>("SCALAR", 5123, 6, {0, 1, 2, 2, 1, 3});
   const size_t places = file.view(test::bytes_of<uint8_t>({1})), values = file.view(test::bytes_of<float>({2, 0, 0}));
-  file.accessor("VEC3", 5126, 4, R"(,"bufferView":0,"sparse":{"count":1,"indices":{"bufferView":)" + std::to_string(places) +
-                R"(,"componentType":5121},"values":{"bufferView":)" + std::to_string(values) + "}}");
+  file.accessor("VEC3", 5126, 4,
+                R"(,"bufferView":0,"sparse":{"count":1,"indices":{"bufferView":)" + std::to_string(places) +
+                    R"(,"componentType":5121},"values":{"bufferView":)" + std::to_string(values) + "}}");
   file.values<float>("SCALAR", 5126, 2, {0, 1});
   file.values<float>("VEC4", 5126, 2, {0, 0, 0, 1, 0, 1, 0, 0});
   file.values<float>("MAT4", 5126, 1, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
-  file.primitives = R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"COLOR_0":3},"indices":4,"material":0},{"attributes":{"POSITION":5},"mode":5})";
-  file.nodes = R"({"children":[1,2,3]},{"mesh":0,"skin":0},{"camera":0,"rotation":[0,0,0,1]},{"mesh":0,"extensions":{"KHR_lights_punctual":{"light":0}}})";
-  file.more = R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,1]}}],"textures":[{"source":0,"sampler":0}],
+  file.primitives =
+      R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"COLOR_0":3},"indices":4,"material":0},{"attributes":{"POSITION":5},"mode":5})";
+  file.nodes =
+      R"({"children":[1,2,3]},{"mesh":0,"skin":0},{"camera":0,"rotation":[0,0,0,1]},{"mesh":0,"extensions":{"KHR_lights_punctual":{"light":0}}})";
+  file.more =
+      R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,1]}}],"textures":[{"source":0,"sampler":0}],
     "samplers":[{"wrapS":33071}],"images":[{"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="}],
     "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],"skins":[{"joints":[2],"inverseBindMatrices":8}],
     "extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{}}]}},
@@ -44,7 +50,8 @@ bool loads(const Folder& folder, const std::string& content) {
     const scene::Scene scene = scene::load(folder.write("scene", content));
     const scene::Pose pose = scene.pose(0.5, scene.animations.empty() ? std::nullopt : std::optional(0u));
     (void)scene.bounds(pose);
-    for (size_t i = 0; i < pose.instances.size(); ++i) (void)scene::transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
+    for (size_t i = 0; i < pose.instances.size(); ++i)
+      (void)scene::transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
     return true;
   } catch (const UserError& error) {
     return false;
@@ -88,7 +95,7 @@ TEST_CASE("damaged files return or are refused") {
   std::mt19937 random(20);
   int loaded = 0;
   const std::string glb = everything().glb(), gltf = everything().gltf();
-  for (int round = 0; round < 4000; ++round) loaded += loads(folder, damaged(round % 2 ? glb : gltf, random));
+  for (int round = 0; round < 3000; ++round) loaded += loads(folder, damaged(round % 2 ? glb : gltf, random));
   CHECK(loaded > 100);  // else the damage is too coarse to reach the loader's depths
-  CHECK(loaded < 3900);
+  CHECK(loaded < 2900);
 }

@@ -63,8 +63,8 @@ bool stable(const Pairs& sorted) {
 }
 
 /// The device's own shape and one for GPUs, which everything must be right for everywhere.
-std::vector<SortOptions> shapes(uint32_t n) {
-  return {{.shape = sort_shape(test::device(), n)}, {.shape = SortShape{4, 64, 64}}};
+std::vector<SortOptions> shapes(uint32_t n, uint32_t key_bits) {
+  return {{.shape = sort_shape(test::device(), n, key_bits)}, {.shape = SortShape{4, 64, 64}}};
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ TEST_CASE("a sort agrees with std::stable_sort for every length and pattern") {
   for (const uint32_t n : test::lengths)
     for (const test::Pattern pattern : test::patterns) {
       const Pairs pairs = pairs_of(test::numbers(pattern, n, 32)), expected = twin(pairs);
-      for (const SortOptions& options : shapes(n)) {
+      for (const SortOptions& options : shapes(n, 32)) {
         CAPTURE(n);
         CAPTURE(test::name_of(pattern));
         CAPTURE(options.shape->digit_bits);
@@ -86,13 +86,19 @@ TEST_CASE("a sort agrees with std::stable_sort for every length and pattern") {
 TEST_CASE("a sort goes by as many bits as it is told") {
   for (uint32_t bits = 0; bits <= 32; ++bits) {
     const Pairs pairs = pairs_of(test::numbers(test::Pattern::random, 3'001, bits)), expected = twin(pairs);
-    for (const SortOptions& options : shapes(3'001)) {
+    for (const SortOptions& options : shapes(3'001, bits)) {
       CAPTURE(bits);
       CAPTURE(options.shape->digit_bits);
       CHECK(sorted_on_gpu(pairs, bits, options) == expected);
       CHECK(values_sorted_on_gpu(pairs, bits, options) == values_of(expected));
     }
   }
+}
+
+TEST_CASE("digits as wide as they get are right") {
+  const Pairs pairs = pairs_of(test::numbers(test::Pattern::random, 100'001, 26));
+  CHECK(sort_shape(test::device(), 1u << 20, 26).digit_bits <= 13);
+  CHECK(sorted_on_gpu(pairs, 26, {.shape = SortShape{13, 10'000, 8}}) == twin(pairs));
 }
 
 TEST_CASE("runs longer than one dispatch may loop over go on in the next") {
@@ -103,6 +109,9 @@ TEST_CASE("runs longer than one dispatch may loop over go on in the next") {
 TEST_CASE("the stability check turns red when the sort is made unstable") {
   const Pairs pairs = pairs_of(test::numbers(test::Pattern::random, 65'537, 10));
   CHECK(stable(sorted_on_gpu(pairs, 10)));
-  CHECK_FALSE(stable(sorted_on_gpu(pairs, 10, {.shape = {}, .unstable = true})));
+  Pairs faulty = sorted_on_gpu(pairs, 10, {.shape = {}, .unstable = true});
+  CHECK_FALSE(stable(faulty));
   CHECK_FALSE(values_sorted_on_gpu(pairs, 10, {.shape = {}, .unstable = true}) == values_of(twin(pairs)));
+  std::sort(faulty.begin(), faulty.end(), [](glm::uvec2 a, glm::uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  CHECK(faulty == twin(pairs));  // a permutation it is all the same
 }

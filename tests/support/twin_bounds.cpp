@@ -32,6 +32,10 @@ Bound merged(const Bound& bound, const shared::Ray& ray) {
   merge_spheres(result, other);
   const dvec3 x = bound.axis, r = other.axis;
   if (angle_between(x, r) <= bound.angle) return result;
+  if (angle_between(x, r) + bound.angle >= std::numbers::pi) {  // past a right angle e lies on r's side
+    result.angle = std::numbers::pi;
+    return result;
+  }
   const dvec3 q = glm::normalize(glm::dot(x, r) * x - r);
   const dvec3 e = x * std::cos(bound.angle) + q * std::sin(bound.angle);
   result.axis = glm::normalize(e + r);

@@ -23,23 +23,29 @@ Channel translation(Interpolation interpolation, std::vector<float> times, std::
 
 /// A triangle on node 1 below node 0; `path` of node `node` animated.
 GltfText animated(int node, const std::string& path, const std::string& interpolation, const std::vector<float>& times,
-                  const std::vector<float>& values, const std::string& nodes = R"({"children":[1]},{"mesh":0,"translation":[1,0,0]})") {
+                  const std::vector<float>& values,
+                  const std::string& nodes = R"({"children":[1]},{"mesh":0,"translation":[1,0,0]})") {
   GltfText file = test::one_triangle();
   file.nodes = nodes;
   file.values("SCALAR", 5126, times.size(), times);
   file.values(path == "rotation" ? "VEC4" : "VEC3", 5126, values.size() / (path == "rotation" ? 4 : 3), values);
-  file.more = R"(,"animations":[{"name":"first","channels":[]},{"name":"move","channels":[{"sampler":0,"target":{"node":)" + std::to_string(node) +
-              R"(,"path":")" + path + R"("}}],"samplers":[{"input":1,"output":2,"interpolation":")" + interpolation + R"("}]}])";
+  file.more =
+      R"(,"animations":[{"name":"first","channels":[]},{"name":"move","channels":[{"sampler":0,"target":{"node":)" +
+      std::to_string(node) + R"(,"path":")" + path + R"("}}],"samplers":[{"input":1,"output":2,"interpolation":")" +
+      interpolation + R"("}]}])";
   return file;
 }
 
-glm::vec3 corner(const scene::Scene& scene, double seconds) { return glm::vec3(scene.pose(seconds, 1).instances.at(0)[3]); }
+glm::vec3 corner(const scene::Scene& scene, double seconds) {
+  return glm::vec3(scene.pose(seconds, 1).instances.at(0)[3]);
+}
 
 }  // namespace
 
 TEST_CASE("steps hold, lines blend, both hold before the first and after the last key") {
   const std::vector<glm::vec4> values = {{0, 0, 0, 0}, {10, 0, 0, 0}};
-  const Channel step = translation(Interpolation::step, {1, 3}, values), linear = translation(Interpolation::linear, {1, 3}, values);
+  const Channel step = translation(Interpolation::step, {1, 3}, values),
+                linear = translation(Interpolation::linear, {1, 3}, values);
   CHECK(scene::sample(step, 2.999).x == 0);
   CHECK(scene::sample(step, 3).x == 10);
   CHECK(scene::sample(linear, 1.5).x == doctest::Approx(2.5));
@@ -51,8 +57,9 @@ TEST_CASE("steps hold, lines blend, both hold before the first and after the las
 }
 
 TEST_CASE("splines pass their keys with the tangents given, scaled by the span") {
-  const Channel channel = translation(Interpolation::cubic_spline, {0, 2},
-                                      {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0}, {0, 0, 0, 0}});
+  const Channel channel =
+      translation(Interpolation::cubic_spline, {0, 2},
+                  {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0}, {0, 0, 0, 0}});
   CHECK(scene::sample(channel, 0).x == 0);
   CHECK(scene::sample(channel, 0.5).x == doctest::Approx(0.5));
   CHECK(scene::sample(channel, 1).x == doctest::Approx(1));
@@ -88,9 +95,12 @@ TEST_CASE("scale and translation replace the node's own") {
 }
 
 TEST_CASE("a node with a matrix, or outside the scene, is not animated; morph targets are noted") {
-  const scene::Scene fixed = animated(0, "translation", "LINEAR", {0}, {5, 5, 5}, R"({"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},{})").load();
+  const scene::Scene fixed = animated(0, "translation", "LINEAR", {0}, {5, 5, 5},
+                                      R"({"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},{})")
+                                 .load();
   CHECK(fixed.animations.at(1).channels.empty());
   const scene::Scene outside = animated(1, "translation", "LINEAR", {0}, {5, 5, 5}, R"({"mesh":0},{})").load();
   CHECK(outside.animations.at(1).channels.empty());
-  CHECK(animated(0, "weights", "LINEAR", {0}, {0, 0, 0}).load().unsupported == std::vector<std::string>{"animation of morph targets"});
+  CHECK(animated(0, "weights", "LINEAR", {0}, {0, 0, 0}).load().unsupported ==
+        std::vector<std::string>{"animation of morph targets"});
 }

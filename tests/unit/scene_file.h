@@ -1,12 +1,12 @@
 #pragma once
 // Small glTF files made in the tests, and a folder of their own to lie in.
 
+#include <unistd.h>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "scene/scene.h"
@@ -18,7 +18,8 @@ class Folder {
  public:
   Folder() {
     static int count = 0;
-    path_ = std::filesystem::temp_directory_path() / ("crsh-scene-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+    path_ = std::filesystem::temp_directory_path() /
+            ("crsh-scene-" + std::to_string(getpid()) + "-" + std::to_string(count++));
     std::filesystem::create_directories(path_);
   }
   ~Folder() {
@@ -63,31 +64,34 @@ inline std::string glb_chunk(uint32_t type, std::string content, char padding) {
 
 /// A glTF file in the making. Members are JSON texts that tests may replace.
 struct GltfText {
-  std::string buffer;               ///< all binary data
+  std::string buffer;  ///< all binary data
   std::vector<std::string> views, accessors;
-  std::string primitives;           ///< of mesh 0
+  std::string primitives;  ///< of mesh 0
   std::string nodes = R"({"mesh":0})";
   std::string scenes = R"("scenes":[{"nodes":[0]}],"scene":0)";
-  std::string more;                 ///< further members of the root, each with a comma before it
+  std::string more;  ///< further members of the root, each with a comma before it
   std::string asset = R"({"version":"2.0"})";
 
   /// Appends a bufferView with `content`; `options` are further members.
   size_t view(const std::string& content, const std::string& options = "") {
     while (buffer.size() % 4 != 0) buffer += '\0';
-    views.push_back(R"({"buffer":0,"byteOffset":)" + std::to_string(buffer.size()) + R"(,"byteLength":)" + std::to_string(content.size()) + options + "}");
+    views.push_back(R"({"buffer":0,"byteOffset":)" + std::to_string(buffer.size()) + R"(,"byteLength":)" +
+                    std::to_string(content.size()) + options + "}");
     buffer += content;
     return views.size() - 1;
   }
 
   /// Appends an accessor; `options` are further members ("bufferView" among them).
   size_t accessor(const std::string& type, int component, size_t count, const std::string& options) {
-    accessors.push_back(R"({"type":")" + type + R"(","componentType":)" + std::to_string(component) + R"(,"count":)" + std::to_string(count) + options + "}");
+    accessors.push_back(R"({"type":")" + type + R"(","componentType":)" + std::to_string(component) + R"(,"count":)" +
+                        std::to_string(count) + options + "}");
     return accessors.size() - 1;
   }
 
   /// Values of one accessor with a view of its own.
   template <class T>
-  size_t values(const std::string& type, int component, size_t count, const std::vector<T>& data, const std::string& options = "") {
+  size_t values(const std::string& type, int component, size_t count, const std::vector<T>& data,
+                const std::string& options = "") {
     const size_t place = view(bytes_of(data));
     return accessor(type, component, count, R"(,"bufferView":)" + std::to_string(place) + options);
   }
@@ -100,13 +104,17 @@ struct GltfText {
       for (const std::string& item : items) out += (out.empty() ? "" : ",") + item;
       return out;
     };
-    std::string out = R"({"asset":)" + asset + "," + scenes + R"(,"nodes":[)" + nodes + R"(],"meshes":[{"name":"m","primitives":[)" + primitives + "]}]";
-    out += R"(,"accessors":[)" + list(accessors) + R"(],"bufferViews":[)" + list(views) + R"(],"buffers":[{"byteLength":)" + std::to_string(buffer.size());
+    std::string out = R"({"asset":)" + asset + "," + scenes + R"(,"nodes":[)" + nodes +
+                      R"(],"meshes":[{"name":"m","primitives":[)" + primitives + "]}]";
+    out += R"(,"accessors":[)" + list(accessors) + R"(],"bufferViews":[)" + list(views) +
+           R"(],"buffers":[{"byteLength":)" + std::to_string(buffer.size());
     return out + buffer_members + "}]" + more + "}";
   }
 
   /// A .gltf with its data embedded.
-  [[nodiscard]] std::string gltf() const { return text(R"(,"uri":"data:application/octet-stream;base64,)" + base64(buffer) + "\""); }
+  [[nodiscard]] std::string gltf() const {
+    return text(R"(,"uri":"data:application/octet-stream;base64,)" + base64(buffer) + "\"");
+  }
 
   [[nodiscard]] std::string glb() const {
     const std::string chunks = glb_chunk(0x4E4F534A, text(""), ' ') + glb_chunk(0x004E4942, buffer, '\0');
@@ -128,6 +136,5 @@ inline GltfText one_triangle() {
   out.primitives = R"({"attributes":{"POSITION":0}})";
   return out;
 }
-
 
 }  // namespace crsh::test

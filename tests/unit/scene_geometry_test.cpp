@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "scene_file.h"
 
@@ -49,7 +50,8 @@ std::vector<glm::vec3> points_on_x(std::initializer_list<int> xs) {
 }
 
 /// The triangle's file with one more attribute.
-GltfText with_attribute(const std::string& name, const std::string& type, int component, const std::string& data, const std::string& options = "") {
+GltfText with_attribute(const std::string& name, const std::string& type, int component, const std::string& data,
+                        const std::string& options = "") {
   GltfText file = one_triangle();
   const size_t view = file.view(data);
   file.accessor(type, component, 3, R"(,"bufferView":)" + std::to_string(view) + options);
@@ -63,9 +65,10 @@ TEST_CASE("a triangle is the same from embedded data, a file beside it, and a GL
   const Folder folder;
   GltfText file = one_triangle();
   folder.write("my data #1.bin", file.buffer + "more than is asked for");
-  for (const std::string& path : {folder.write("a.gltf", file.gltf()).string(), folder.write("c.glb", file.glb()).string(),
-                                  folder.write("b.gltf", file.text(R"(,"uri":"my%20data%20%231.bin")")).string(),
-                                  folder.write("wrong extension.gltf", file.glb()).string()}) {
+  for (const std::string& path :
+       {folder.write("a.gltf", file.gltf()).string(), folder.write("c.glb", file.glb()).string(),
+        folder.write("b.gltf", file.text(R"(,"uri":"my%20data%20%231.bin")")).string(),
+        folder.write("wrong extension.gltf", file.glb()).string()}) {
     INFO(path);
     const scene::Scene scene = scene::load(path);
     CHECK(scene.triangle_count() == 1);
@@ -87,7 +90,8 @@ TEST_CASE("a URI with plain spaces, a plus sign and a parent folder names its fi
 }
 
 TEST_CASE("indices of 8, 16 and 32 bits give the same triangles") {
-  for (const scene::Mesh& mesh : {indexed_square<uint8_t>(5121), indexed_square<uint16_t>(5123), indexed_square<uint32_t>(5125)}) {
+  for (const scene::Mesh& mesh :
+       {indexed_square<uint8_t>(5121), indexed_square<uint16_t>(5123), indexed_square<uint32_t>(5125)}) {
     CHECK(mesh.triangles.size() == 2);
     CHECK(mesh.positions.size() == 4);
     CHECK(corners(mesh).at(5) == glm::vec3(1, 1, 0));
@@ -115,7 +119,8 @@ TEST_CASE("primitives merge into one mesh, share vertices, keep materials, drop 
   file.positions({9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
   file.values<uint16_t>("SCALAR", 5123, 3, {1, 2, 3});
   file.values<uint16_t>("SCALAR", 5123, 3, {3, 2, 4});
-  file.primitives = R"({"attributes":{"POSITION":0},"indices":1,"material":1},{"attributes":{"POSITION":0},"indices":2})";
+  file.primitives =
+      R"({"attributes":{"POSITION":0},"indices":1,"material":1},{"attributes":{"POSITION":0},"indices":2})";
   file.more = R"(,"materials":[{"name":"a"},{"name":"b"}])";
   const scene::Scene scene = file.load();
   const scene::Mesh& mesh = scene.meshes.at(0);
@@ -128,7 +133,8 @@ TEST_CASE("primitives merge into one mesh, share vertices, keep materials, drop 
 
 TEST_CASE("interleaved vertices are read by their stride") {
   GltfText file;
-  const size_t view = file.view(test::bytes_of<float>({0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0, 2, 0, 1, 0, 0, 0, 2}), R"(,"byteStride":24)");
+  const size_t view =
+      file.view(test::bytes_of<float>({0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0, 2, 0, 1, 0, 0, 0, 2}), R"(,"byteStride":24)");
   file.accessor("VEC3", 5126, 3, R"(,"bufferView":)" + std::to_string(view));
   file.accessor("VEC3", 5126, 3, R"(,"byteOffset":12,"bufferView":)" + std::to_string(view));
   file.primitives = R"({"attributes":{"POSITION":0,"NORMAL":1}})";
@@ -143,8 +149,10 @@ TEST_CASE("sparse accessors substitute, over data and over nothing") {
     file.view(test::bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}));
     file.view(test::bytes_of<uint8_t>({1, 2}));
     file.view(test::bytes_of<float>({5, 0, 0, 0, 7, 0}));
-    file.accessor("VEC3", 5126, 3, std::string(dense ? R"(,"bufferView":0)" : "") +
-                  R"(,"sparse":{"count":2,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":2}})");
+    file.accessor(
+        "VEC3", 5126, 3,
+        std::string(dense ? R"(,"bufferView":0)" : "") +
+            R"(,"sparse":{"count":2,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":2}})");
     file.primitives = R"({"attributes":{"POSITION":0}})";
     CHECK(file.load().meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 0}, {5, 0, 0}, {0, 7, 0}});
   }
@@ -155,7 +163,8 @@ TEST_CASE("sparse indices of triangles work without data below them") {
   file.positions(unit_square);
   file.view(test::bytes_of<uint16_t>({1, 2}));
   file.view(test::bytes_of<uint8_t>({1, 3}));
-  file.accessor("SCALAR", 5121, 3, R"(,"sparse":{"count":2,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":2}})");
+  file.accessor("SCALAR", 5121, 3,
+                R"(,"sparse":{"count":2,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":2}})");
   file.primitives = R"({"attributes":{"POSITION":0},"indices":1})";
   CHECK(corners(file.load().meshes.at(0)) == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
 }
@@ -165,9 +174,11 @@ TEST_CASE("colours of every type become RGBA8") {
   const std::string floats = test::bytes_of<float>({1, 0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 0});
   CHECK(with_attribute("COLOR_0", "VEC3", 5126, floats).load().meshes.at(0).colours.at(0) == 0xFF0080FFu);
   const std::string bytes = test::bytes_of<uint8_t>({255, 128, 0, 64, 1, 2, 3, 4, 5, 6, 7, 8});
-  CHECK(with_attribute("COLOR_0", "VEC4", 5121, bytes, R"(,"normalized":true)").load().meshes.at(0).colours.at(0) == 0x400080FFu);
+  CHECK(with_attribute("COLOR_0", "VEC4", 5121, bytes, R"(,"normalized":true)").load().meshes.at(0).colours.at(0) ==
+        0x400080FFu);
   const std::string shorts = test::bytes_of<uint16_t>({65535, 32768, 0, 16448, 0, 0, 0, 0, 0, 0, 0, 0});
-  CHECK(with_attribute("COLOR_0", "VEC4", 5123, shorts, R"(,"normalized":true)").load().meshes.at(0).colours.at(0) == 0x400080FFu);
+  CHECK(with_attribute("COLOR_0", "VEC4", 5123, shorts, R"(,"normalized":true)").load().meshes.at(0).colours.at(0) ==
+        0x400080FFu);
 }
 
 TEST_CASE("normalised and plain integers are decoded as the specification says") {
@@ -186,7 +197,8 @@ TEST_CASE("normalised and plain integers are decoded as the specification says")
 TEST_CASE("normals that are zero or not finite mean flat shading") {
   const float infinite = std::numeric_limits<float>::infinity();
   const std::string data = test::bytes_of<float>({0, 0, 0, infinite, 0, 0, 0, 3, 0});
-  CHECK(with_attribute("NORMAL", "VEC3", 5126, data).load().meshes.at(0).normals == std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}});
+  CHECK(with_attribute("NORMAL", "VEC3", 5126, data).load().meshes.at(0).normals ==
+        std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}});
 }
 
 TEST_CASE("a million triangles load within seconds") {

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "error.h"
 #include "scene_file.h"
 
@@ -23,9 +25,11 @@ glm::vec3 origin_of(const glm::mat4& m) { return glm::vec3(m[3]); }
 }  // namespace
 
 TEST_CASE("transforms and matrices multiply down the hierarchy, children listed before their parents too") {
-  const scene::Scene scene = with_nodes(
-      R"({"children":[2],"translation":[1,2,3],"scale":[2,2,2]},{"mesh":0,"translation":[0,0,1]},
-         {"matrix":[0,1,0,0,-1,0,0,0,0,0,1,0,10,0,0,1],"children":[1],"mesh":0})").load();
+  const scene::Scene scene =
+      with_nodes(
+          R"({"children":[2],"translation":[1,2,3],"scale":[2,2,2]},{"mesh":0,"translation":[0,0,1]},
+         {"matrix":[0,1,0,0,-1,0,0,0,0,0,1,0,10,0,0,1],"children":[1],"mesh":0})")
+          .load();
   const scene::Pose pose = scene.pose(0, {});
   REQUIRE(pose.instances.size() == 2);
   CHECK(origin_of(pose.instances[0]) == glm::vec3(21, 2, 3));
@@ -39,14 +43,16 @@ TEST_CASE("transforms and matrices multiply down the hierarchy, children listed 
 }
 
 TEST_CASE("rotations that are not unit are made so, zero is none") {
-  const scene::Scene scene = with_nodes(R"({"children":[1,2]},{"mesh":0,"rotation":[0,0,3,3]},{"mesh":0,"rotation":[0,0,0,0]})").load();
+  const scene::Scene scene =
+      with_nodes(R"({"children":[1,2]},{"mesh":0,"rotation":[0,0,3,3]},{"mesh":0,"rotation":[0,0,0,0]})").load();
   const scene::Pose pose = scene.pose(0, {});
   CHECK(glm::distance(glm::vec3(pose.instances[0][0]), glm::vec3(0, 1, 0)) < 1e-6f);
   CHECK(pose.instances[1] == glm::mat4(1));
 }
 
 TEST_CASE("a scene is chosen by index or name, else the default one, else the first") {
-  GltfText file = with_nodes(R"({"mesh":0},{"mesh":0,"translation":[5,0,0]})", R"("scenes":[{"name":"left","nodes":[0]},{"name":"right","nodes":[1]}])");
+  GltfText file = with_nodes(R"({"mesh":0},{"mesh":0,"translation":[5,0,0]})",
+                             R"("scenes":[{"name":"left","nodes":[0]},{"name":"right","nodes":[1]}])");
   const auto x = [&](const std::string& which) { return origin_of(file.load(which).pose(0, {}).instances.at(0)).x; };
   CHECK(x("") == 0);
   CHECK(x("1") == 5);
@@ -64,7 +70,8 @@ TEST_CASE("a file without scenes shows all its root nodes") {
 }
 
 TEST_CASE("cameras come in the file's order, with their nodes") {
-  GltfText file = with_nodes(R"({"children":[1,2]},{"camera":1,"name":"a"},{"camera":0,"name":"b","translation":[0,0,4]})");
+  GltfText file =
+      with_nodes(R"({"children":[1,2]},{"camera":1,"name":"a"},{"camera":0,"name":"b","translation":[0,0,4]})");
   file.more = R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.1,"aspectRatio":2}},
                              {"name":"flat","type":"orthographic","orthographic":{"xmag":4,"ymag":2,"zfar":9,"znear":0}}])";
   const scene::Scene scene = file.load();
@@ -83,7 +90,8 @@ TEST_CASE("punctual lights of all three types") {
   GltfText file = with_nodes(
       R"({"children":[1,2,3]},{"extensions":{"KHR_lights_punctual":{"light":0}},"translation":[1,0,0]},
          {"extensions":{"KHR_lights_punctual":{"light":1}}},{"extensions":{"KHR_lights_punctual":{"light":2}}})");
-  file.more = R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":40,"range":9,"color":[1,0.5,0]},
+  file.more =
+      R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":40,"range":9,"color":[1,0.5,0]},
     {"type":"spot","spot":{"innerConeAngle":0.1,"outerConeAngle":0.2}},{"type":"directional","name":"sun"}]}})";
   const scene::Scene scene = file.load();
   REQUIRE(scene.lights.size() == 3);
@@ -101,7 +109,8 @@ TEST_CASE("punctual lights of all three types") {
 }
 
 TEST_CASE("a skinned mesh is drawn where its first joint binds it, not at its own node") {
-  GltfText file = with_nodes(R"({"children":[1,2]},{"mesh":0,"skin":0,"translation":[50,0,0]},{"translation":[0,3,0]})");
+  GltfText file =
+      with_nodes(R"({"children":[1,2]},{"mesh":0,"skin":0,"translation":[50,0,0]},{"translation":[0,3,0]})");
   file.values<float>("MAT4", 5126, 1, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1});
   file.more = R"(,"skins":[{"joints":[2],"inverseBindMatrices":1}])";
   const scene::Scene scene = file.load();

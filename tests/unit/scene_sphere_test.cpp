@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 #include <random>
 
 #include "scene/bounding.h"
@@ -26,7 +27,8 @@ Points random_points(std::mt19937& random, size_t count, float size) {
 }
 
 bool contains(const scene::Sphere& sphere, const Points& points) {
-  return std::all_of(points.begin(), points.end(), [&](const vec3& p) { return glm::distance(dvec3(p), dvec3(sphere.centre)) <= sphere.radius; });
+  return std::all_of(points.begin(), points.end(),
+                     [&](const vec3& p) { return glm::distance(dvec3(p), dvec3(sphere.centre)) <= sphere.radius; });
 }
 
 /// The sphere through all of `on`, centred in their affine hull, by Gaussian elimination of its normal equations.
@@ -39,7 +41,8 @@ std::optional<scene::ExactSphere> sphere_through(const std::vector<dvec3>& on) {
   }
   for (size_t i = 0; i < n; ++i) {
     size_t pivot = i;
-    for (size_t k = i; k < n; ++k) if (std::abs(m[k][i]) > std::abs(m[pivot][i])) pivot = k;
+    for (size_t k = i; k < n; ++k)
+      if (std::abs(m[k][i]) > std::abs(m[pivot][i])) pivot = k;
     std::swap(m[i], m[pivot]);
     if (std::abs(m[i][i]) < 1e-12) return {};
     for (size_t k = 0; k < n; ++k) {
@@ -58,11 +61,14 @@ double brute_force_radius(const Points& points) {
   double best = INFINITY;
   for (uint32_t mask = 1; mask < 1u << points.size(); ++mask) {
     std::vector<dvec3> on;
-    for (size_t i = 0; i < points.size(); ++i) if (mask >> i & 1u) on.emplace_back(points[i]);
+    for (size_t i = 0; i < points.size(); ++i)
+      if (mask >> i & 1u) on.emplace_back(points[i]);
     if (on.size() > 4) continue;
     const auto sphere = sphere_through(on);
     if (!sphere || sphere->radius >= best) continue;
-    const bool all = std::all_of(points.begin(), points.end(), [&](const vec3& p) { return glm::distance(dvec3(p), sphere->centre) <= sphere->radius * (1 + 1e-9); });
+    const bool all = std::all_of(points.begin(), points.end(), [&](const vec3& p) {
+      return glm::distance(dvec3(p), sphere->centre) <= sphere->radius * (1 + 1e-9);
+    });
     if (all) best = sphere->radius;
   }
   return best;
@@ -134,7 +140,8 @@ TEST_CASE("a triangle's sphere is the smallest of its corners") {
     if (round % 4 == 0) p[2] = p[0] + (p[1] - p[0]) * 0.3f + 1e-6f * p[2];  // slivers
     if (round % 50 == 0) p[2] = p[1];
     const scene::ExactSphere sphere = scene::triangle_sphere(dvec3(p[0]), dvec3(p[1]), dvec3(p[2]));
-    for (const vec3& corner : p) CHECK(glm::distance(dvec3(corner), sphere.centre) <= sphere.radius * (1 + 1e-7) + 1e-12);
+    for (const vec3& corner : p)
+      CHECK(glm::distance(dvec3(corner), sphere.centre) <= sphere.radius * (1 + 1e-7) + 1e-12);
     CHECK(sphere.radius <= scene::smallest_sphere(p).radius * (1 + 1e-7));
   }
 }
@@ -162,7 +169,8 @@ TEST_CASE("a similarity is told from a stretch, also where it mirrors") {
   const scene::Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const float plain = scene::transformed_sphere(mesh, glm::mat4(1)).radius;
   CHECK(plain == doctest::Approx(std::sqrt(0.5)).epsilon(1e-5));
-  CHECK(scene::transformed_sphere(mesh, glm::scale(glm::mat4(1), {-2, 2, 2})).radius == doctest::Approx(2 * plain).epsilon(1e-5));
+  CHECK(scene::transformed_sphere(mesh, glm::scale(glm::mat4(1), {-2, 2, 2})).radius ==
+        doctest::Approx(2 * plain).epsilon(1e-5));
   CHECK(scene::transformed_sphere(mesh, glm::scale(glm::mat4(1), {1, 1, 3})).radius > 3 * plain);
   CHECK(scene::transformed_sphere(mesh, glm::mat4(0)).radius < 1e-5f);
 }

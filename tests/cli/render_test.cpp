@@ -1,0 +1,163 @@
+// crsh render, end to end: files, standard output, messages, statistics.
+
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "output/image.h"
+#include "output/png.h"
+#include "output/whole_file.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+
+namespace crsh {
+namespace {
+
+namespace fs = std::filesystem;
+using test::crsh;
+const std::string cornell = CRSH_SOURCE_DIR "/scenes/cornell.glb";
+
+/// crsh render of a small picture of cornell.glb.
+test::Outcome render(std::vector<std::string> options) {
+  options.insert(options.begin(), {"render", cornell, "--size", "24x16", "--bounces", "1"});
+  return crsh(options);
+}
+
+TEST_CASE("a render writes EXR and PNG of the size, and says which device runs") {
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome = render({"-o", folder / "a.exr", "-o", folder / "a.png"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find("device: ") != std::string::npos);
+  const output::Image exr = output::read_image(folder / "a.exr");
+  CHECK(exr.width == 24);
+  CHECK(exr.height == 16);
+  for (const char* channel : {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "Albedo.R"}) CHECK(exr.find(channel));
+  CHECK(output::read_image(folder / "a.png").width == 24);
+  CHECK(folder.size() == 2);
+}
+
+TEST_CASE("two runs give the same bytes under different names") {
+  const test::TemporaryFolder folder;
+  REQUIRE(render({"-o", folder / "first.exr"}).status == 0);
+  REQUIRE(render({"-o", folder / "second.exr"}).status == 0);
+  CHECK(output::read_whole(folder / "first.exr") == output::read_whole(folder / "second.exr"));
+}
+
+TEST_CASE("a quiet render says nothing, a verbose one how long each stage took") {
+  const test::TemporaryFolder folder;
+  CHECK(render({"-o", folder / "a.png", "-q"}).err.empty());
+  CHECK(render({"-o", folder / "a.png", "-v"}).err.find("final intersection") != std::string::npos);
+}
+
+TEST_CASE("- is PNG on standard output, and only that") {
+  const test::Outcome outcome = render({"-o", "-"});
+  REQUIRE(outcome.status == 0);
+  CHECK(output::decode_png(outcome.out, "stdout").height == 16);
+}
+
+TEST_CASE("--layers chooses what is in the EXR") {
+  const test::TemporaryFolder folder;
+  REQUIRE(render({"-o", folder / "a.exr", "--layers", "Z,N"}).status == 0);
+  CHECK(output::read_image(folder / "a.exr").channels.size() == 4);
+}
+
+TEST_CASE("frames go to files of their own") {
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome = render({"-o", folder / "f-{frame}.png", "--frames", "8..10", "--progress", "json"});
+  REQUIRE(outcome.status == 0);
+  for (const char* name : {"f-0008.png", "f-0009.png", "f-0010.png"}) CHECK(fs::exists(folder / name));
+  CHECK(folder.size() == 3);
+  size_t written = 0;
+  std::istringstream lines(outcome.err);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('{')) continue;
+    const auto event = nlohmann::json::parse(line);
+    if (event["event"] == "written") ++written;
+    if (event["event"] == "progress") CHECK((event["frame"] >= 8 && event["frames"] == 3 && event["done"] <= 1));
+  }
+  CHECK(written == 3);
+}
+
+TEST_CASE("statistics hold the command, the effective options and every stage") {
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome = render({"-o", folder / "a.png", "--stats", "-", "--algorithm", "rah"});
+  REQUIRE(outcome.status == 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["schema"] == "crsh-stats/1");
+  CHECK(json["command"][1] == "render");
+  CHECK(json["options"]["algorithm"] == "rah");
+  CHECK(json["options"]["size"] == "24x16");
+  CHECK(json["options"]["ray-order"] == "tiles");
+  CHECK(json["image"]["width"] == 24);
+  CHECK(json["stages"].size() == 10);
+  CHECK(json["frames"] == 1);
+  CHECK(json["scene"]["triangles"] > 100);
+  CHECK(json["memory"]["device_peak_bytes"] > 0);
+  for (const auto& rays : json["rays"]) {
+    CHECK(rays["brute_force_tests"] == rays["count"].get<uint64_t>() * json["scene"]["triangles"].get<uint64_t>());
+    for (const auto& level : rays["levels"])
+      CHECK(level["tests"] == level["hits"].get<uint64_t>() + level["misses"].get<uint64_t>());
+  }
+}
+
+TEST_CASE("a full disk is one line, exit status 1, and no file") {
+  const test::TemporaryFolder folder;
+  fs::create_symlink("/dev/full", folder / "full.png");
+  const test::Outcome outcome = render({"-o", folder / "full.png", "-q"});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.error_lines() == 1);
+  CHECK(outcome.err.find("full.png: cannot be written (No space left on device)") != std::string::npos);
+  CHECK(folder.size() == 1);
+}
+
+TEST_CASE("an unknown device, camera or scene is one line, exit status 1 or 2") {
+  const test::TemporaryFolder folder;
+  for (const char* option : {"--device", "--camera", "--scene", "--animation"}) {
+    const test::Outcome outcome = render({"-o", folder / "a.png", "-q", option, "nosuch"});
+    CAPTURE(option);
+    CHECK((outcome.status == 1 || outcome.status == 2));
+    CHECK(outcome.error_lines() == 1);
+    CHECK(outcome.err.find("nosuch") != std::string::npos);
+  }
+  CHECK(folder.size() == 0);
+}
+
+TEST_CASE("without any Vulkan device the exit status is 77 and a package is named") {
+  ::setenv("VK_ICD_FILENAMES", "/no/such.json", 1);
+  ::setenv("VK_DRIVER_FILES", "/no/such.json", 1);
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome = render({"-o", folder / "a.png"}), info = crsh({"info"});
+  ::unsetenv("VK_ICD_FILENAMES");
+  ::unsetenv("VK_DRIVER_FILES");
+  for (const test::Outcome& each : {outcome, info}) {
+    CHECK(each.status == 77);
+    CHECK(each.err.find("mesa-vulkan-drivers") != std::string::npos);
+  }
+}
+
+TEST_CASE("SIGTERM while rendering ends it by that signal, without any file") {
+  const test::TemporaryFolder folder;
+  const std::string path = test::crsh_path(), out = folder / "big.exr";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl(path.c_str(), path.c_str(), "render", cornell.c_str(), "-o", out.c_str(), "--size", "1024x1024", "--samples",
+            "64", "-q", nullptr);
+    ::_exit(127);
+  }
+  ::usleep(1'500'000);
+  ::kill(child, SIGTERM);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WIFSIGNALED(status));
+  CHECK(folder.size() == 0);
+}
+
+}  // namespace
+}  // namespace crsh

@@ -1,0 +1,108 @@
+// No switch of an algorithm changes a hit or a pixel.
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rays/hash.h"
+#include "support/render.h"
+
+namespace crsh::test {
+namespace {
+
+using Change = std::function<void(AlgorithmOptions&)>;
+
+/// Shadow, reflection and refraction rays.
+RenderOptions small() {
+  RenderOptions options;
+  options.width = 24;
+  options.height = 18;
+  options.bounces = 2;
+  return options;
+}
+
+Rendered changed(const Change& change) {
+  RenderOptions options = small();
+  change(options.algorithm);
+  return render(own_scene("glass"), options);
+}
+
+const Rendered& usual() {
+  static const Rendered rendered = render_with("crsh", own_scene("glass"), small());
+  return rendered;
+}
+
+std::string difference_by(const Change& change) { return difference(usual(), changed(change)); }
+
+TEST_CASE("mixed and separate batches give the same hits, counters and picture") {
+  for (const std::string& algorithm : preset_names()) {
+    CAPTURE(algorithm);
+    const Rendered mixed = changed([&](auto& options) { options = preset(algorithm); });
+    const Rendered apart = changed([&](auto& options) { options = preset(algorithm), options.mixed_batches = false; });
+    CHECK(difference(mixed, apart) == "");
+    CHECK(difference_of_counters(mixed.statistics, apart.statistics) == "");
+  }
+}
+
+TEST_CASE("scanlines and tiles give the same hits and picture") {
+  CHECK(difference_by([](auto& options) { options.ray_order = RayOrder::tiles; }) == "");
+}
+
+TEST_CASE("compression changes no hit, no pixel, and no counter but its own chunks") {
+  for (const char* algorithm : {"crsh", "crsh-2017"}) {
+    CAPTURE(algorithm);
+    const auto with = [&](bool on) { return changed([=](auto& options) { options = preset(algorithm), options.compression = on; }); };
+    Rendered chunked = with(true), plain = with(false);
+    CHECK(rays_of(chunked.statistics, "shadow", 0).chunks > 0);
+    for (RayStatistics& row : chunked.statistics.rays) row.chunks = 0;
+    CHECK(difference(chunked, plain) == "");
+    CHECK(difference_of_counters(chunked.statistics, plain.statistics) == "");
+  }
+}
+
+TEST_CASE("every sort key gives the same hits and picture") {
+  for (const std::string& key : rays::key_names()) {
+    CAPTURE(key);
+    CHECK(difference_by([&](auto& options) { options.keys.fill(key), options.compression = true; }) == "");
+  }
+}
+
+TEST_CASE("kinds sorted by different keys, or one not at all, give the same hits and picture") {
+  CHECK(difference_by([](auto& options) { options.keys = {"octahedral", "", "spherical"}; }) == "");
+  CHECK(difference_by([](auto& options) { options.keys = {"", "hilbert", ""}; }) == "");
+}
+
+TEST_CASE("merged and fitted bounds give the same hits and picture") {
+  CHECK(difference_by([](auto& options) { options.fit = Fit::merged; }) == "");
+}
+
+TEST_CASE("bounds with and without intervals, objects culled or not, give the same hits and picture") {
+  CHECK(difference_by([](auto& options) { options.interval = false; }) == "");
+  CHECK(difference_by([](auto& options) { options.mesh_culling = false; }) == "");
+  CHECK(difference_by([](auto& options) { options.interval = options.mesh_culling = false; }) == "");
+}
+
+TEST_CASE("every arity gives the same hits and picture") {
+  for (const uint32_t arity : {2, 3, 8, 64}) {
+    CAPTURE(arity);
+    CHECK(difference_by([&](auto& options) { options.arity = arity; }) == "");
+  }
+}
+
+TEST_CASE("every number of levels gives the same hits and picture") {
+  for (const uint32_t levels : {1, 2, 3, 4}) {
+    CAPTURE(levels);
+    CHECK(difference_by([&](auto& options) { options.levels.fill(levels); }) == "");
+    CHECK(difference_by([&](auto& options) { options.levels.fill(levels), options.fit = Fit::merged; }) == "");
+  }
+}
+
+TEST_CASE("kinds with different numbers of levels give the same hits and picture") {
+  CHECK(difference_by([](auto& options) { options.levels = {1, 3, 2}; }) == "");
+  CHECK(difference_by([](auto& options) { options.levels = {4, 1, 8}, options.arity = 2; }) == "");
+}
+
+}  // namespace
+}  // namespace crsh::test
