@@ -4,6 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "lib/together.glsl"
 layout(local_size_x = 64) in;
 #include "intersection/meet.glsl"
 #include "lib/counters.glsl"
@@ -21,12 +22,20 @@ layout(binding = 6, scalar) buffer Counters { uvec2 counters[]; };
 
 void main() {
   uint i = invocation_index();
-  if (i >= ray_count) return;
-  uint id = first_ray + i;
+  bool present = i < ray_count;
+  uint id = first_ray + min(i, ray_count - 1u);
   Ray ray = rays[id];
   uvec4 hit = hits[id];
   uint tests = 0u;
-  for (; tests < triangle_count; ++tests) hit = meet(hit, ray, first_triangle + tests);
-  hits[id] = hit;
-  ADD_COUNTER(tests_counter, tests)
+  bool together = walk_together(first_triangle);
+  for (uint own_end = together ? 0u : triangle_count; tests < own_end; ++tests)
+    hit = meet(hit, ray, load_triangle(first_triangle + tests));
+  for (uint first = tests; first < triangle_count; first += gl_SubgroupSize) {
+    Loaded mine = load_triangle(first_triangle + min(first + gl_SubgroupInvocationID, triangle_count - 1u));
+    uint loaded = min(gl_SubgroupSize, triangle_count - first);
+    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, passed_round(mine, k));
+    tests += loaded;
+  }
+  if (present) hits[id] = hit;
+  ADD_COUNTER(tests_counter, present ? tests : 0u)
 }

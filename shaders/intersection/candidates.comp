@@ -5,6 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "lib/together.glsl"
 layout(local_size_x = 64) in;
 #include "intersection/meet.glsl"
 #include "lib/counters.glsl"
@@ -12,30 +13,43 @@ layout(local_size_x = 64) in;
 #include "shared/node.h"
 
 layout(push_constant, scalar) uniform Push {
-  uint first_ray;     // sorted position
-  uint ray_count;
   uint first_node;
+  uint node_count;
+  uint most_rays;     // of a node: so many lanes each
   uint first_base;    // element of `bases` that belongs to first_node
   uint pairs_before;  // value of that element
   uint tests_counter;
 };
 layout(binding = 5, scalar) readonly buffer Rays { Ray rays[]; };       // in sorted order
 layout(binding = 6, scalar) readonly buffer Order { uint order[]; };    // creation index a sorted position
-layout(binding = 7, scalar) readonly buffer Parents { uint parents[]; };
+layout(binding = 7, scalar) readonly buffer Children { uvec2 rays_of[]; };
 layout(binding = 8, scalar) readonly buffer Bases { uint bases[]; };
 layout(binding = 9, scalar) readonly buffer Pairs { HitPair pairs[]; };
 layout(binding = 10, scalar) buffer Counters { uvec2 counters[]; };
 
 void main() {
   uint i = invocation_index();
-  if (i >= ray_count) return;
-  uint position = first_ray + i;
-  uint base = first_base + parents[position] - first_node;
-  uint begin = bases[base] - pairs_before, end = bases[base + 1u] - pairs_before;
+  uint place = min(i / most_rays, node_count - 1u);
+  uvec2 node_rays = rays_of[first_node + place];
+  uint position = node_rays.x + i % most_rays;
+  bool present = i / most_rays < node_count && position < node_rays.y;
+  position = min(position, node_rays.y - 1u);
+  uint begin = bases[first_base + place] - pairs_before, end = bases[first_base + place + 1u] - pairs_before;
   Ray ray = rays[position];
   uint id = order[position];
   uvec4 hit = hits[id];
-  for (uint pair = begin; pair < end; ++pair) hit = meet(hit, ray, pairs[pair].triangle);
-  hits[id] = hit;
-  ADD_COUNTER(tests_counter, end - begin)
+
+  bool together = walk_together(begin);
+  uint own_end = together || !present ? begin : end;
+  for (uint pair = begin; pair < own_end; ++pair) hit = meet(hit, ray, load_triangle(pairs[pair].triangle));
+  uint common_end = together ? end : begin;
+  for (uint pair = begin; pair < common_end; pair += gl_SubgroupSize) {
+    Loaded mine = load_triangle(pairs[min(pair + gl_SubgroupInvocationID, end - 1u)].triangle);
+    uint loaded = min(gl_SubgroupSize, end - pair);
+    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, passed_round(mine, k));
+  }
+
+  if (present) hits[id] = hit;
+  uint tests = present ? end - begin : 0u;
+  ADD_COUNTER(tests_counter, tests)
 }

@@ -2,6 +2,7 @@
 // lib/triangle.glsl, then the closest hit with ties to the lower id, or a shadow ray's transmittance.
 // Bindings 0 to 4 are taken.
 
+#include "lib/together.glsl"
 #include "lib/triangle.glsl"
 #include "shared/limits.h"
 #include "shared/ray.h"
@@ -21,9 +22,28 @@ uvec3 saturating_sum(uvec3 a, uvec3 b) {
   return mix(sum, uvec3(blocked), lessThan(sum, a));
 }
 
-/// The hit of `ray` after it has been tested against `triangle`.
-uvec4 meet(uvec4 hit, Ray ray, uint triangle) {
-  vec4 a = corner_a[triangle], b = corner_b[triangle], c = corner_c[triangle];
+/// A triangle as it is loaded: three corners, the flags in the first one's w.
+struct Loaded {
+  uint id;
+  vec4 a;
+  vec4 b;
+  vec4 c;
+};
+
+Loaded load_triangle(uint triangle) {
+  return Loaded(triangle, corner_a[triangle], corner_b[triangle], corner_c[triangle]);
+}
+
+/// What lane k of the subgroup has loaded.
+Loaded passed_round(Loaded mine, uint k) {
+  return Loaded(FROM_LANE(mine.id, k), FROM_LANE(mine.a, k),
+                vec4(FROM_LANE(mine.b.xyz, k), 0.0), vec4(FROM_LANE(mine.c.xyz, k), 0.0));
+}
+
+/// The hit of `ray` after it has been tested against a triangle.
+uvec4 meet(uvec4 hit, Ray ray, Loaded loaded) {
+  uint triangle = loaded.id;
+  vec4 a = loaded.a, b = loaded.b, c = loaded.c;
   uint flags = floatBitsToUint(a.w);
   bool shadow = uint(ray.direction.w) == kind_shadow;
   bool cull_back = !shadow && (flags & triangle_cull_back) != 0u;

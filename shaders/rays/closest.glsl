@@ -20,19 +20,24 @@ layout(binding = 2, scalar) readonly buffer Geometrics { vec4 geometrics[]; };
 layout(binding = 3, scalar) readonly buffer Incomings { vec4 incomings[]; };
 layout(binding = 4, scalar) readonly buffer Diffuses { vec4 diffuses[]; };
 layout(binding = 5, scalar) readonly buffer Speculars { vec4 speculars[]; };
-layout(binding = 6, scalar) writeonly buffer Rays { Ray rays[]; };
-layout(binding = 7, scalar) writeonly buffer Flags { uint flags[]; };
-layout(binding = 8, scalar) writeonly buffer Weights { vec4 weights[]; };
+layout(binding = 6, scalar) readonly buffer TriangleSpheres { vec4 triangle_spheres[]; };
+layout(binding = 7, scalar) writeonly buffer Rays { Ray rays[]; };
+layout(binding = 8, scalar) writeonly buffer Flags { uint flags[]; };
+layout(binding = 9, scalar) writeonly buffer Weights { vec4 weights[]; };
 
 bool met_nothing(uint surface) { return floatBitsToUint(positions[surface].w) == none; }
 
 /// Cosine between the shading normal and the way back along the ray that came.
 float cosine_of(vec3 normal, vec3 incoming) { return clamp(-exact_dot(normal, incoming), 0.0, 1.0); }
 
-/// Writes the surface's weight, and its ray where that is worth casting.
-void store(uint i, vec3 weight, vec3 origin, vec3 direction, uint kind) {
-  bool starts = worth_casting(weight);
-  weights[first_surface + i] = vec4(starts ? weight : vec3(0.0), 0.0);
+/// Writes the surface's weight, and its ray to the side that `side` points to where that is worth casting.
+void store(uint i, vec3 weight, vec3 side, vec3 direction, uint kind) {
+  uint surface = first_surface + i;
+  bool starts = worth_casting(weight) && !met_nothing(surface);
+  weights[surface] = vec4(starts ? weight : vec3(0.0), 0.0);
   flags[first_slot + i] = uint(starts);
-  if (starts) rays[first_slot + i] = Ray(vec4(origin, uintBitsToFloat(0x7F800000u)), vec4(direction, float(kind)));
+  if (!starts) return;
+  vec4 position = positions[surface];
+  vec3 origin = offset_point(position.xyz, side, extent_of(triangle_spheres[floatBitsToUint(position.w)]));
+  rays[first_slot + i] = Ray(vec4(origin, uintBitsToFloat(0x7F800000u)), vec4(direction, float(kind)));
 }

@@ -16,7 +16,5 @@ void main() {
   vec4 normal = normals[surface], geometric = geometrics[surface], incoming = incomings[surface];
   vec3 weight = reflection_weight(speculars[surface].rgb, cosine_of(normal.xyz, incoming.xyz), incoming.w, geometric.w);
   if (mirror == 1u) weight = vec3(1.0);
-  if (met_nothing(surface)) weight = vec3(0.0);
-  store(i, weight, offset_point(positions[surface].xyz, geometric.xyz),
-        mirrored(incoming.xyz, normal.xyz, geometric.xyz), kind_reflection);
+  store(i, weight, geometric.xyz, mirrored(incoming.xyz, normal.xyz, geometric.xyz), kind_reflection);
 }

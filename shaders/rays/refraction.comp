@@ -20,7 +20,6 @@ void main() {
   vec3 behind = -geometrics[surface].xyz;
   float cosine = cosine_of(normal.xyz, incoming.xyz);
   vec3 weight = refraction_weight(speculars[surface].rgb, cosine, incoming.w, normal.w, diffuses[surface].rgb);
-  if (met_nothing(surface)) weight = vec3(0.0);
-  store(i, weight, offset_point(positions[surface].xyz, behind),
-        on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind), kind_refraction);
+  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind),
+        kind_refraction);
 }

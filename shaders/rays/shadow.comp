@@ -21,8 +21,9 @@ layout(push_constant, scalar) uniform Push {
 layout(binding = 0, scalar) readonly buffer Positions { vec4 positions[]; };
 layout(binding = 1, scalar) readonly buffer Geometrics { vec4 geometrics[]; };
 layout(binding = 2, scalar) readonly buffer Lights { Light lights[]; };
-layout(binding = 3, scalar) writeonly buffer Rays { Ray rays[]; };
-layout(binding = 4, scalar) writeonly buffer Flags { uint flags[]; };
+layout(binding = 3, scalar) readonly buffer TriangleSpheres { vec4 triangle_spheres[]; };
+layout(binding = 4, scalar) writeonly buffer Rays { Ray rays[]; };
+layout(binding = 5, scalar) writeonly buffer Flags { uint flags[]; };
 
 /// Whether the light shines on the point's front.
 bool lit(Light light, vec3 point, vec3 geometric) {
@@ -30,8 +31,9 @@ bool lit(Light light, vec3 point, vec3 geometric) {
   return incident.share > 0.0 && exact_dot(geometric, incident.towards) > 0.0;
 }
 
-Ray shadow_ray(Light light, vec3 point, vec3 geometric) {
-  vec3 end = offset_point(point, geometric);
+Ray shadow_ray(Light light, vec3 point, vec3 geometric, uint triangle) {
+  float others = max(extent_of(triangle_spheres[triangle]), largest(light.position.xyz));
+  vec3 end = offset_point(point, geometric, others);
   vec3 origin = light_end(light, end);
   precise vec3 way = end - origin;
   bool parallel = uint(light.position.w) == light_directional;
@@ -46,7 +48,8 @@ void main() {
   Light light = lights[first_light + i / surfaces];
   vec4 position = positions[surface];
   vec3 geometric = geometrics[surface].xyz;
-  bool starts = floatBitsToUint(position.w) != none && lit(light, position.xyz, geometric);
+  uint triangle = floatBitsToUint(position.w);
+  bool starts = triangle != none && lit(light, position.xyz, geometric);
   flags[first_slot + i] = uint(starts);
-  if (starts) rays[first_slot + i] = shadow_ray(light, position.xyz, geometric);
+  if (starts) rays[first_slot + i] = shadow_ray(light, position.xyz, geometric, triangle);
 }

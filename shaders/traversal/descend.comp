@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "lib/together.glsl"
 layout(local_size_x = 64) in;
 #include "lib/counters.glsl"
 #include "lib/invocation.glsl"
@@ -21,29 +22,32 @@ layout(push_constant, scalar) uniform Push {
 };
 layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
 layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
-layout(binding = 2, scalar) readonly buffer Parents { uint parents[]; };
-layout(binding = 3, scalar) readonly buffer Children { uvec2 children_of[]; };
-layout(binding = 4, scalar) readonly buffer Bases { uint bases[]; };
-layout(binding = 5, scalar) readonly buffer Pairs { HitPair pairs[]; };
-layout(binding = 6, scalar) readonly buffer TriangleSpheres { vec4 triangle_spheres[]; };
-layout(binding = 7, scalar) writeonly buffer Masks { uint masks[]; };
-layout(binding = 8, scalar) writeonly buffer Counts { uint counts[]; };
-layout(binding = 9, scalar) buffer Counters { uvec2 counters[]; };
+layout(binding = 2, scalar) readonly buffer Children { uvec2 children_of[]; };
+layout(binding = 3, scalar) readonly buffer Bases { uint bases[]; };
+layout(binding = 4, scalar) readonly buffer Pairs { HitPair pairs[]; };
+layout(binding = 5, scalar) readonly buffer TriangleSpheres { vec4 triangle_spheres[]; };
+layout(binding = 6, scalar) writeonly buffer Masks { uint masks[]; };
+layout(binding = 7, scalar) writeonly buffer Counts { uint counts[]; };
+layout(binding = 8, scalar) buffer Counters { uvec2 counters[]; };
 
 void main() {
   uint i = invocation_index();
-  if (i >= portion.child_count) return;
-  uint child = portion.first_child + i;
-  uint parent = parents[child];
-  uint place = parent - portion.first_parent;
+  uint place = min(i / portion.arity, portion.parent_count - 1u);
+  uvec2 children = children_of[portion.first_parent + place];
+  uint child_place = i % portion.arity;
+  bool present = i / portion.arity < portion.parent_count && children.x + child_place < children.y;
+  uint child = min(children.x + child_place, children.y - 1u);
   uint base = portion.first_base + place;
   List list = list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before, place,
-                      child - children_of[parent].x);
+                      child_place);
   Node ray_node = nodes[child];
   Interval interval = intervals[child];
+
   uint hits = 0u;
   uint word = list.first_mask;
-  for (uint begin = list.begin; begin < list.end; begin += 32u) {
+  bool together = walk_together(list.begin);
+  uint own_end = together || !present ? list.begin : list.end;
+  for (uint begin = list.begin; begin < own_end; begin += 32u) {
     uint count = min(32u, list.end - begin);
     uint mask = 0u;
     for (uint k = 0u; k < count; ++k) {
@@ -53,7 +57,23 @@ void main() {
     masks[word++] = mask;
     hits += bitCount(mask);
   }
-  counts[i] = hits;
-  ADD_COUNTER(tests_counter, list.end - list.begin)
+  uint common_end = together ? list.end : list.begin;
+  for (uint begin = list.begin; begin < common_end; begin += 32u) {
+    uint count = min(32u, list.end - begin);
+    uint mask = 0u;
+    for (uint first = 0u; first < count; first += gl_SubgroupSize) {
+      vec4 mine = triangle_spheres[pairs[begin + min(first + gl_SubgroupInvocationID, count - 1u)].triangle];
+      uint loaded = min(gl_SubgroupSize, count - first);
+      for (uint k = 0u; k < loaded; ++k)
+        if (bound_may_hit_sphere(ray_node, interval, FROM_LANE(mine, k), use_interval == 1u))
+          mask |= 1u << (first + k);
+    }
+    if (present) masks[word++] = mask;
+    hits += bitCount(mask);
+  }
+
+  hits = present ? hits : 0u;
+  if (present) counts[child - portion.first_child] = hits;
+  ADD_COUNTER(tests_counter, present ? list.end - list.begin : 0u)
   ADD_COUNTER(hits_counter, hits)
 }

@@ -5,6 +5,7 @@ struct Portion {
   uint first_child;   // of the level below
   uint child_count;
   uint first_parent;
+  uint parent_count;
   uint first_base;    // element of `bases` that belongs to first_parent
   uint pairs_before;  // value of that element
   uint arity;         // most children of a parent

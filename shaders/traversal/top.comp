@@ -7,6 +7,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "lib/together.glsl"
 layout(local_size_x = 64) in;
 #include "lib/counters.glsl"
 #include "lib/invocation.glsl"
@@ -16,10 +17,10 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint first_node;
   uint node_count;
+  uint padded_nodes;  // node_count rounded up to whole subgroups, which so stay with one block
   uint first_block;
   uint block_count;
   uint words;  // of mesh_hits a node; 0: no mesh culling
-  uint first_mesh_hits;
   uint use_interval;
   uint tests_counter;
   uint hits_counter;
@@ -35,22 +36,38 @@ layout(binding = 7, scalar) buffer Counters { uvec2 counters[]; };
 
 void main() {
   uint i = invocation_index();
-  if (i >= node_count * block_count) return;
-  uint block_index = i / node_count, node = i % node_count;
+  uint place = i / padded_nodes;
+  bool present = place < block_count && i % padded_nodes < node_count;
+  uint block_index = min(place, block_count - 1u), node = min(i % padded_nodes, node_count - 1u);
   uvec4 block = blocks[first_block + block_index];
-  uint count = block.z;
+  uint count = present ? block.z : 0u;
   if (words > 0u) {
-    uint word = mesh_hits[first_mesh_hits + node * words + (block.x >> 5u)];
+    uint word = mesh_hits[node * words + (block.x >> 5u)];
     count = (word >> (block.x & 31u)) % 2u == 1u ? count : 0u;
   }
   Node ray_node = nodes[first_node + node];
   Interval interval = intervals[first_node + node];
+
   uint mask = 0u;
-  for (uint k = 0u; k < count; ++k)
+  bool together = walk_together(block.y);
+  uint own_end = together ? 0u : count;
+  for (uint k = 0u; k < own_end; ++k)
     if (bound_may_hit_sphere(ray_node, interval, triangle_spheres[block.y + k], use_interval == 1u)) mask |= 1u << k;
+  uint common_end = together && any_lane(count > 0u) ? block.z : 0u;
+  for (uint first = 0u; first < common_end; first += gl_SubgroupSize) {
+    vec4 mine = triangle_spheres[block.y + min(first + gl_SubgroupInvocationID, block.z - 1u)];
+    uint loaded = min(gl_SubgroupSize, block.z - first);
+    for (uint k = 0u; k < loaded; ++k)
+      if (bound_may_hit_sphere(ray_node, interval, FROM_LANE(mine, k), use_interval == 1u))
+        mask |= 1u << (first + k);
+  }
+
+  mask = count > 0u ? mask : 0u;
   uint hits = bitCount(mask);
-  masks[node * block_count + block_index] = mask;
-  counts[node * block_count + block_index] = hits;
+  if (present) {
+    masks[node * block_count + block_index] = mask;
+    counts[node * block_count + block_index] = hits;
+  }
   ADD_COUNTER(tests_counter, count)
   ADD_COUNTER(hits_counter, hits)
 }

@@ -42,34 +42,36 @@ std::string default_of(const Option& option) {
   return value.is_null() || value.is_boolean() ? "" : text_of(value);
 }
 
-std::string option_row(const Option& option) {
+/// "  -o, --output FILE", the long names below each other.
+std::string left_of(const Option& option) {
   const size_t comma = option.names.find(',');
-  std::string names = comma == std::string::npos
-                          ? "    " + option.names
-                          : option.names.substr(0, comma) + ", " + option.names.substr(comma + 1);
-  if (!option.value.empty()) names += " " + option.value;
+  const std::string brief = comma == std::string::npos ? "    " : option.names.substr(0, comma) + ", ";
+  return fmt::format("  {}--{} {}", brief, option.key(), option.value);
+}
+
+std::string option_row(const Option& option) {
   const std::string initial = default_of(option);
-  return row("  " + names, option.help + (initial.empty() ? "" : " [" + initial + "]"));
+  return row(left_of(option), initial.empty() ? option.help : fmt::format("{} [{}]", option.help, initial));
 }
 
 std::string usage_of(const Command& command) {
-  std::string usage = "Usage: crsh " + command.name;
+  std::string usage = fmt::format("Usage: crsh {}", command.name);
   for (const Positional& positional : command.positionals)
-    usage += positional.required ? " " + positional.name : " [" + positional.name + "]";
+    usage += positional.required ? fmt::format(" {}", positional.name) : fmt::format(" [{}]", positional.name);
   return usage + " [OPTION...]\n";
 }
 
 }  // namespace
 
 std::string help_of(const Command& command) {
-  std::string text = usage_of(command) + "\n" + command.summary + "\n";
+  std::string text = fmt::format("{}\n{}\n", usage_of(command), command.summary);
   for (const OptionGroup& group : command.groups) {
     std::string rows;
     for (const Option& option : group.options)
       if (!option.hidden) rows += option_row(option);
-    if (!rows.empty()) text += "\n" + group.title + "\n" + rows;
+    if (!rows.empty()) text += fmt::format("\n{}\n{}", group.title, rows);
   }
-  return text + "\n" + command.epilogue;
+  return fmt::format("{}\n{}", text, command.epilogue);
 }
 
 std::string general_help() {

@@ -50,11 +50,13 @@ void refuse_unknown(const Command& command, const std::vector<std::string>& unkn
   misuse(command, fmt::format("{}: {}", unknown[0], option ? "no such option" : "one argument too many"));
 }
 
-/// CLI11's own errors: an option without its value, and the like.
 void collect(CLI::App& app, const Command& command, std::vector<std::string> arguments) {
   std::ranges::reverse(arguments);  // CLI11 takes them from the back
   try {
     app.parse(arguments);
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string message = error.what();  // "--size: 1 required TEXT missing"
+    misuse(command, message.substr(0, message.find(':')) + ": its value is missing");
   } catch (const CLI::ParseError& error) {
     misuse(command, error.what());
   }

@@ -88,7 +88,7 @@ std::string text_of(const nlohmann::ordered_json& value) {
   if (!value.is_structured()) return value.dump();
   std::vector<std::string> parts;
   for (const auto& [key, part] : value.items())
-    parts.push_back(value.is_object() ? key + "=" + text_of(part) : text_of(part));
+    parts.push_back(value.is_object() ? fmt::format("{}={}", key, text_of(part)) : text_of(part));
   return fmt::format("{}", fmt::join(parts, ","));
 }
 

@@ -106,6 +106,7 @@ DeviceInfo describe_device(VkPhysicalDevice physical, uint32_t index) {
   info.type = type_text(core.deviceType);
   info.uuid = uuid_text(all.v11.deviceUUID);
   info.subgroup_size = all.v11.subgroupSize;
+  info.shuffles = all.v11.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
   info.software = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   info.unusable = missing(physical, core);
   return info;

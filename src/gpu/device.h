@@ -25,6 +25,7 @@ struct DeviceInfo {
   std::string uuid;  ///< 32 hex digits with dashes
   uint32_t subgroup_size = 0;
   bool software = false;  ///< the device is a CPU
+  bool shuffles = false;  ///< compute shaders may pass values between lanes
   std::string unusable;   ///< why it cannot be used; empty when it can
 };
 
@@ -42,6 +43,7 @@ struct DeviceRequest {
   std::string selector;         ///< index, part of the name, or UUID; empty: a real GPU before a software device
   uint64_t memory_budget = 0;   ///< bytes that all buffers and images together may take; 0: no bound
   bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
+  bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
   uint64_t first_capacity = 0;  ///< growing buffers start with so many bytes (tests); 0: what is asked for
 };
 
@@ -73,6 +75,11 @@ class Device {
   /// Another budget from here on, as in DeviceRequest; and a peak that forgets what was before.
   void set_memory_budget(uint64_t bytes) { request_.memory_budget = bytes; }
   void forget_peak() { peak_ = allocated_; }
+  /// What follows the name of a kernel that comes in two builds (lib/together.glsl): nothing where subgroups read lists
+  /// together, which pays on a CPU, or "-alone".
+  [[nodiscard]] const char* lanes() const {
+    return info_.software && info_.shuffles && !request_.walk_alone ? "" : "-alone";
+  }
   /// Validation messages of severity warning or error since the device was made.
   [[nodiscard]] uint64_t validation_messages() const;
 

@@ -13,6 +13,17 @@ uint32_t timestamp_bits(const Device& device) {
   return families[device.queue_family()].timestampValidBits;
 }
 
+/// lavapipe puts a timestamp off until something makes it flush, which the next dispatch does not: an execution barrier
+/// does, so that a span does not take in the first dispatch of the next.
+void flush_timestamp(VkCommandBuffer commands) {
+  VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  memory.srcStageMask = memory.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &memory;
+  vkCmdPipelineBarrier2(commands, &dependency);
+}
+
 }  // namespace
 
 Profiler::Profiler(Device& device) : device_(device) {
@@ -30,8 +41,10 @@ Profiler::~Profiler() { vkDestroyQueryPool(device_.handle(), pool_, nullptr); }
 bool Profiler::full() const { return spans_.size() + 1 >= max_timestamps; }
 
 void Profiler::write_timestamp(VkCommandBuffer commands) {
-  if (pool_)
+  if (pool_) {
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, static_cast<uint32_t>(spans_.size()));
+    flush_timestamp(commands);
+  }
   spans_.push_back(stage_);
 }
 

@@ -16,19 +16,17 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
                const gpu::Buffer& sorted_rays, const gpu::Buffer& order, const traversal::Candidates& candidates) {
   recorder.stage(gpu::Stage::final_intersection);
   const hierarchy::Level& level = hierarchy.levels.front();
-  const hierarchy::Range rays =
-      level.children_of({candidates.first_node, candidates.end_node - candidates.first_node});
   const struct {
-    uint32_t first_ray, ray_count, first_node, first_base, pairs_before, tests_counter;
-  } push{rays.first,
-         rays.count,
-         candidates.first_node,
+    uint32_t first_node, node_count, most_rays, first_base, pairs_before, tests_counter;
+  } push{candidates.first_node,
+         candidates.end_node - candidates.first_node,
+         level.most_children,
          candidates.first_base,
          candidates.pairs_before,
          in.counter_row + shared::counter_triangle_tests};
-  recorder.dispatch("intersection/candidates", rays.count, push,
+  recorder.dispatch(std::string("intersection/candidates") + recorder.device().lanes(), uint64_t(push.node_count) * push.most_rays, push,
                     {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits, sorted_rays,
-                     order, level.parents, candidates.bases, candidates.pairs, in.counters},
+                     order, level.children, candidates.bases, candidates.pairs, in.counters},
                     candidates.count * level.most_children);
   recorder.submit_past(in.submit_work);
   recorder.stage(gpu::Stage::hierarchy_traversal);
@@ -47,7 +45,7 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
         uint32_t first_ray, ray_count, first_triangle, triangle_count, tests_counter;
       } push{segment.first + ray, std::min(tile, segment.count - ray), first, std::min(batch, triangles - first),
              in.counter_row + shared::counter_triangle_tests};
-      recorder.dispatch("intersection/brute", push.ray_count, push,
+      recorder.dispatch(std::string("intersection/brute") + recorder.device().lanes(), push.ray_count, push,
                         {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits,
                          in.batch.rays, in.counters},
                         uint64_t(push.ray_count) * push.triangle_count);

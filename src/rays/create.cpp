@@ -42,7 +42,8 @@ void create_shadow(gpu::Recorder& recorder, const CreateIn& in, uint32_t first, 
   const ShadowPush push{in.plan.surfaces, in.plan.first_surface, first * in.plan.surfaces, lights * in.plan.surfaces,
                         in.plan.segments[first].light};
   recorder.dispatch(std::string(ray_kinds[shared::kind_shadow].creation), push.count, push,
-                    {in.surfaces.position, in.surfaces.geometric, in.scene.lights, out.rays, out.flags});
+                    {in.surfaces.position, in.surfaces.geometric, in.scene.lights, in.scene.triangle_spheres, out.rays,
+                     out.flags});
 }
 
 void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segment, const Sparse& out,
@@ -53,7 +54,8 @@ void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segmen
   const bool mirror = kind == shared::kind_reflection && in.override_mirror;
   const ClosestPush push{in.plan.surfaces, in.plan.first_surface, segment * in.plan.surfaces, mirror ? 1u : 0u};
   recorder.dispatch(std::string(ray_kinds[kind].creation), push.surfaces, push,
-                    {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, out.rays, out.flags, weights});
+                    {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, in.scene.triangle_spheres, out.rays,
+                     out.flags, weights});
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using primitives::quad_bytes;
 
 /// Children to test or to emit, as shaders/traversal/descend.glsl has them.
 struct Portion {
-  uint32_t first_child, child_count, first_parent, first_base, pairs_before, arity;
+  uint32_t first_child, child_count, first_parent, parent_count, first_base, pairs_before, arity;
 };
 
 /// Bases of the pairs of consecutive nodes, on the host: where a list is cut into portions.
@@ -63,7 +63,8 @@ class Descent {
 
   [[nodiscard]] const Level& level(uint32_t index) const { return in_.hierarchy.levels[index]; }
   [[nodiscard]] uint32_t counter(uint32_t which) const { return in_.counter_row + which; }
-  [[nodiscard]] std::string bound(const char* kernel) const { return std::string(kernel) + "@" + in_.options.bound; }
+  [[nodiscard]] std::string bound(const std::string& kernel) const { return kernel + "@" + in_.options.bound; }
+  [[nodiscard]] std::string bound_and_lanes(const std::string& kernel) const { return bound(kernel + device_.lanes()); }
   [[nodiscard]] uint32_t words() const {
     return in_.options.mesh_culling ? (in_.scene.instance_count + 31) / 32 : 0;
   }
@@ -88,12 +89,14 @@ class Descent {
     grow(recorder_, lists.masks, masks * sizeof(uint32_t), "top level masks");
     grow(recorder_, lists.counts, quad_bytes(masks + 1), "top level counts");
     grow(recorder_, lists.bases, (nodes.count + 1) * sizeof(uint32_t), "pair bases");
+    const uint32_t lanes = device_.info().subgroup_size;
+    const uint32_t padded = (nodes.count + lanes - 1) / lanes * lanes;
     const struct {
-      uint32_t first_node, node_count, first_block, block_count, words, first_mesh_hits, use_interval, tests, hits;
-    } push{nodes.first, nodes.count,          blocks.first,
-           blocks.count, words(),             0,
+      uint32_t first_node, node_count, padded_nodes, first_block, block_count, words, use_interval, tests, hits;
+    } push{nodes.first,  nodes.count,          padded,
+           blocks.first, blocks.count,         words(),
            in_.options.interval, counter(shared::counter_level_tests + top_), counter(shared::counter_level_hits + top_)};
-    recorder_.dispatch(bound("traversal/top"), masks, push,
+    recorder_.dispatch(bound_and_lanes("traversal/top"), uint64_t(padded) * blocks.count, push,
                        {level(top_).nodes, level(top_).intervals, in_.scene.blocks, in_.scene.triangle_spheres,
                         scratch_.mesh_hits, lists.masks, lists.counts, in_.counters},
                        masks * shared::block_triangles);
@@ -129,9 +132,9 @@ class Descent {
       return;
     }
     const Range children = level(index).children_of(nodes);
-    const Portion all{children.first, children.count,        nodes.first,
+    const Portion all{children.first, children.count,        nodes.first,               nodes.count,
                       first_base,     bases.of(nodes.first), level(index).most_children};
-    test_children(index - 1, all, pairs, nodes.count);
+    test_children(index - 1, all, pairs);
     const Bases below{children.first, recorder_.read<uint32_t>(scratch_.levels[index - 1].counts, children.count + 1)};
     for_portions(below, level(index - 1).most_children, [&](Range portion) {
       emit_children(index - 1, all, portion, below);
@@ -139,19 +142,18 @@ class Descent {
     });
   }
 
-  void test_children(uint32_t index, const Portion& portion, uint32_t pairs, uint32_t parents) {
+  void test_children(uint32_t index, const Portion& portion, uint32_t pairs) {
     LevelScratch& lists = scratch_.levels[index];
     const LevelScratch& above = scratch_.levels[index + 1];
-    grow(recorder_, lists.masks, uint64_t(pairs / 32 + parents) * portion.arity * sizeof(uint32_t), "masks");
+    grow(recorder_, lists.masks, uint64_t(pairs / 32 + portion.parent_count) * portion.arity * sizeof(uint32_t), "masks");
     grow(recorder_, lists.counts, quad_bytes(portion.child_count + 1), "pair bases");
     const struct {
       Portion portion;
       uint32_t use_interval, tests, hits;
     } push{portion, in_.options.interval, counter(shared::counter_level_tests + index),
            counter(shared::counter_level_hits + index)};
-    recorder_.dispatch(bound("traversal/descend"), portion.child_count, push,
-                       {level(index).nodes, level(index).intervals, level(index + 1).parents,
-                        level(index + 1).children, bases_of(above, index + 1), above.pairs,
+    recorder_.dispatch(bound_and_lanes("traversal/descend"), uint64_t(portion.parent_count) * portion.arity, push,
+                       {level(index).nodes, level(index).intervals, level(index + 1).children, bases_of(above, index + 1), above.pairs,
                         in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters},
                        uint64_t(pairs) * portion.arity);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, portion.child_count + 1,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "shared/limits.h"
 #include "support/cases_trace.h"
 #include "support/device.h"
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <string>
 
 #include "error.h"
@@ -10,6 +11,8 @@
 
 namespace crsh::gpu {
 namespace {
+
+TEST_SUITE_BEGIN("subset");
 
 DeviceRequest request_with(uint64_t memory_budget, uint64_t first_capacity) {
   DeviceRequest request = test::device().request();
@@ -115,6 +118,22 @@ TEST_CASE("a selector that matches nothing is answered with the list of devices"
   CHECK(message.find("'no such device'") != std::string::npos);
   CHECK(message.find(list_devices()[0].name) != std::string::npos);
 }
+
+TEST_CASE("a Vulkan error becomes a sentence, and a want of memory OutOfMemory") {
+  check(VK_SUCCESS, "resting");
+  CHECK_THROWS_AS(check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "drawing"), OutOfMemory);
+  CHECK_THROWS_AS(check(VK_ERROR_OUT_OF_HOST_MEMORY, "drawing"), OutOfMemory);
+  CHECK_THROWS_WITH_AS(check(VK_ERROR_FORMAT_NOT_SUPPORTED, "making an image"),
+                       "making an image failed: the device does not support the image format", UserError);
+  try {
+    check(VK_ERROR_DEVICE_LOST, "rendering");
+  } catch (const UserError& error) {
+    CHECK(std::string(error.what()).find("lost while rendering") != std::string::npos);
+    CHECK(std::string(error.what()).find("--submit-work") != std::string::npos);
+  }
+}
+
+TEST_SUITE_END();
 
 }  // namespace
 }  // namespace crsh::gpu

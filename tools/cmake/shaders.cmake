@@ -1,6 +1,7 @@
 # crsh_shaders: every shaders/**/*.comp, .vert and .frag as SPIR-V inside a library, with a table of their names
 # (gpu/embedded.h). A shader with a line "// variants: FOLDER" is compiled once for every FOLDER/NAME.glsl, as
-# "path@NAME.comp": its #include "variant.glsl" then includes that file.
+# "path@NAME.comp": its #include "variant.glsl" then includes that file. A shader that includes lib/together.glsl is
+# compiled a second time with CRSH_ALONE defined, as "path-alone.comp" or "path-alone@NAME.comp".
 
 set(shader_root ${PROJECT_SOURCE_DIR}/shaders)
 set(shader_output ${CMAKE_BINARY_DIR}/shaders)
@@ -9,7 +10,7 @@ set(shader_flags --quiet --target-env vulkan1.3 --target-env spirv1.5 -I${shader
 set(shader_names "")
 set(shader_files "")
 
-# Compiles `source` (a path below shaders/) to the embedded file `name`; further arguments are include flags.
+# Compiles `source` (a path below shaders/) to the embedded file `name`; further arguments are flags.
 macro(add_shader source name)
   set(spirv ${shader_output}/${name}.spv)
   get_filename_component(spirv_folder ${spirv} DIRECTORY)
@@ -29,6 +30,10 @@ macro(add_shader_variants source folder)
     file(CONFIGURE OUTPUT ${variant_folder}/variant.glsl CONTENT "#include \"${folder}/${variant_name}.glsl\"\n" @ONLY)
     string(REGEX REPLACE "(\\.[a-z]+)$" "@${variant_name}\\1" variant_source ${source})
     add_shader(${source} ${variant_source} -I${variant_folder})
+    if(comes_twice)
+      string(REPLACE "@" "-alone@" alone_source ${variant_source})
+      add_shader(${source} ${alone_source} -I${variant_folder} -DCRSH_ALONE)
+    endif()
   endforeach()
 endmacro()
 
@@ -42,11 +47,16 @@ foreach(source IN LISTS shader_sources)
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${shader_root}/${source})  # its variants line
   file(STRINGS ${shader_root}/${source} variants_line REGEX "^// variants: " LIMIT_COUNT 1)
+  file(STRINGS ${shader_root}/${source} comes_twice REGEX "^#include \"lib/together.glsl\"" LIMIT_COUNT 1)
   if(variants_line)
     string(REGEX REPLACE "^// variants: *([^ ]+).*" "\\1" folder "${variants_line}")
     add_shader_variants(${source} ${folder})
   else()
     add_shader(${source} ${source})
+    if(comes_twice)
+      string(REGEX REPLACE "(\\.[a-z]+)$" "-alone\\1" alone_source ${source})
+      add_shader(${source} ${alone_source} -DCRSH_ALONE)
+    endif()
   endif()
 endforeach()
 
