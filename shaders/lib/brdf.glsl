@@ -8,11 +8,14 @@
 const float least_roughness = 0.045;
 const float pi = 3.14159265358979;
 
-/// GGX (Trowbridge-Reitz) distribution of microfacets.
-float ggx_distribution(float cos_half, float alpha) {
+/// GGX (Trowbridge-Reitz) distribution of microfacets. The squared sine to the half vector comes from a cross product:
+/// 1 - cos^2 would have lost its digits in the middle of a sharp highlight.
+float ggx_distribution(vec3 normal, vec3 middle, float alpha) {
   float squared = alpha * alpha;
-  float fall = cos_half * cos_half * (squared - 1.0) + 1.0;
-  return squared / (pi * fall * fall);
+  float cosine = clamp(dot(normal, middle), 0.0, 1.0);
+  vec3 across = cross(normal, middle);
+  float fall = cosine * cosine * squared + dot(across, across);
+  return squared / (pi * max(fall * fall, 1e-30));
 }
 
 /// Smith's height-correlated masking and shadowing, over 4 cos_light cos_view.
@@ -34,7 +37,7 @@ vec3 reflected_light(vec3 normal, vec3 view, vec3 light, vec3 diffuse, vec3 f0, 
   float alpha = max(roughness, least_roughness);
   alpha *= alpha;
   vec3 mirrored = f0 + (vec3(1.0) - f0) * schlick(dot(view, middle));
-  float lobe = ggx_distribution(clamp(dot(normal, middle), 0.0, 1.0), alpha) * smith_visibility(cos_light, cos_view, alpha);
+  float lobe = ggx_distribution(normal, middle, alpha) * smith_visibility(cos_light, cos_view, alpha);
   return ((vec3(1.0) - mirrored) * diffuse / pi + mirrored * lobe) * cos_light;
 }
 

@@ -21,8 +21,8 @@ struct RayKind {
 /// By shared::kind_shadow, kind_reflection, kind_refraction.
 inline constexpr std::array<RayKind, kind_count> ray_kinds = {{
     {"shadow", "rays/shadow", "hilbert", true},
-    {"reflection", "rays/reflection", "origin-direction", false},
-    {"refraction", "rays/refraction", "origin-direction", false},
+    {"reflection", "rays/reflection", "interleaved", false},
+    {"refraction", "rays/refraction", "interleaved", false},
 }};
 
 }  // namespace crsh

@@ -44,8 +44,9 @@ class Descent {
     if (scratch_.levels.size() < depth) scratch_.levels.resize(depth);
     top_ = depth - 1;
     give_back();
-    const uint32_t blocks = blocks_a_batch();
-    const uint32_t tile = std::max<uint32_t>(1, in_.submit_work / (uint64_t(blocks) * shared::block_triangles));
+    const uint32_t blocks = std::min(blocks_a_batch(), in_.scene.block_count);
+    const uint64_t tests_a_node = uint64_t(blocks) * shared::block_triangles;
+    const uint32_t tile = static_cast<uint32_t>(std::clamp<uint64_t>(in_.submit_work / tests_a_node, 1, nodes.count));
     for (uint32_t first = nodes.first; first < nodes.end(); first += tile) {
       const Range tile_nodes{first, std::min(tile, nodes.end() - first)};
       cull_meshes(tile_nodes);

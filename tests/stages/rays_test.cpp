@@ -15,7 +15,22 @@ namespace {
 
 using test::Point;
 
+constexpr uint32_t triangles = 100;  // the ids of random_points
+
+/// What the points pretend to lie on: rays leave by a step that their triangle's coordinates bound, too.
+test::SmallScene some_triangles() {
+  test::Random random(10);
+  test::SmallScene small;
+  small.material(test::matt(glm::vec3(1)));
+  std::vector<glm::vec3> corners;
+  for (uint32_t i = 0; i < 3 * triangles; ++i) corners.push_back(random.point(i % 2 ? 3.0f : 300.0f));
+  small.mesh(corners, 0);
+  small.instance(0);
+  return small;
+}
+
 struct Created {
+  std::vector<glm::vec4> spheres;  // of the triangles
   std::vector<shared::Ray> rays;
   std::vector<uint32_t> flags;
   std::vector<glm::vec4> reflection, refraction;
@@ -24,12 +39,10 @@ struct Created {
 Created create(const std::vector<Point>& points, const std::vector<shared::Light>& lights, const rays::BatchPlan& plan, bool mirror = false) {
   gpu::Recorder recorder(test::device());
   test::HandMade made = test::upload_points(points);
-  test::SmallScene small;
-  small.material(test::matt(glm::vec3(1)));
-  const scene::GpuScene gpu = small.on(recorder, {lights, {}});
+  const scene::GpuScene gpu = some_triangles().on(recorder, {lights, {}});
   rays::Sparse sparse;
   rays::create(recorder, {made.surfaces, gpu, plan, mirror}, sparse, made.generation);
-  Created out{recorder.read<shared::Ray>(sparse.rays, sparse.slots), recorder.read<uint32_t>(sparse.flags, sparse.slots), {}, {}};
+  Created out{recorder.read<glm::vec4>(gpu.triangle_spheres, triangles), recorder.read<shared::Ray>(sparse.rays, sparse.slots), recorder.read<uint32_t>(sparse.flags, sparse.slots), {}, {}};
   const auto weights = [&](const gpu::Buffer& b) { return b.bytes() ? recorder.read<glm::vec4>(b, points.size()) : std::vector<glm::vec4>{}; };
   out.reflection = weights(made.generation.reflection_weight);
   out.refraction = weights(made.generation.refraction_weight);
@@ -38,11 +51,16 @@ Created create(const std::vector<Point>& points, const std::vector<shared::Light
 
 rays::BatchPlan plan_of(std::vector<rays::Wanted> segments, size_t surfaces) { return {std::move(segments), 0, uint32_t(surfaces)}; }
 
-double step(glm::vec3 p) { return std::ldexp(double(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})), -16); }
-glm::dvec3 moved(const Point& p, double side) { return glm::dvec3(p.position) + glm::dvec3(p.geometric) * (side * step(p.position)); }
+double largest(glm::vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
+/// How far from its surface a ray starts: 2^-16 of the point's coordinates, 2^-20 of its triangle's and the ray's other end's.
+double step(const Created& created, const Point& p, glm::vec3 other_end = glm::vec3(0)) {
+  const glm::vec4 sphere = created.spheres[p.triangle];
+  return std::max(std::ldexp(largest(p.position), -16), std::ldexp(std::max(largest(sphere) + sphere.w, largest(other_end)), -20));
+}
+
+glm::dvec3 moved(const Point& p, double by) { return glm::dvec3(p.position) + glm::dvec3(p.geometric) * by; }
 bool near(glm::dvec3 a, glm::dvec3 b, double tolerance) { return glm::distance(a, b) <= tolerance; }
-/// Rounding of a point's coordinates.
-double ulps(const Point& p) { return step(p.position) / 16; }
 
 shared::Light light_at(glm::vec3 position, float range, glm::vec2 cone = {0, 1}, glm::vec3 axis = {0, 0, -1}) {
   return {glm::vec4(position, 0), glm::vec4(axis, range), glm::vec4(1), glm::vec4(cone, 0, 0)};
@@ -68,8 +86,9 @@ TEST_CASE("shadow rays run from the light to the offset point, where it shines o
     if (!created.flags[slot]) continue;
     ++rays;
     const shared::Ray& ray = created.rays[slot];
+    const double by = step(created, p, light.position);
     CHECK(glm::vec3(ray.origin) == glm::vec3(light.position));
-    CHECK(near(glm::dvec3(ray.origin) + glm::dvec3(ray.direction) * double(ray.origin.w), moved(p, 1), ulps(p) + 2e-5));
+    CHECK(near(glm::dvec3(ray.origin) + glm::dvec3(ray.direction) * double(ray.origin.w), moved(p, by), by / 2));
     CHECK(ray.direction.w == float(shared::kind_shadow));
   }
   CHECK(rays > 1000);
@@ -90,7 +109,7 @@ TEST_CASE("a directional light's rays start on its plane and run along it") {
     if (!created.flags[i]) continue;
     CHECK(glm::vec3(created.rays[i].direction) == axis);
     CHECK(glm::dot(glm::vec3(created.rays[i].origin), axis) == doctest::Approx(-20));
-    CHECK(near(glm::dvec3(created.rays[i].origin) + glm::dvec3(axis) * double(created.rays[i].origin.w), moved(points[i], 1), 1e-5));
+    CHECK(near(glm::dvec3(created.rays[i].origin) + glm::dvec3(axis) * double(created.rays[i].origin.w), moved(points[i], step(created, points[i], sun.position)), 1e-5));
   }
 }
 
@@ -134,7 +153,8 @@ TEST_CASE("reflection rays are mirrored about the shading normal, weighed by Fre
     const double height = glm::dot(mirrored, glm::dvec3(p.geometric));
     if (height < 0) mirrored -= glm::dvec3(p.geometric) * (2 * height);
     CHECK(near(glm::dvec3(ray.direction), mirrored, 2e-6));
-    CHECK(near(glm::dvec3(ray.origin), moved(p, 1), ulps(p)));
+    const double by = step(created, p);
+    CHECK(near(glm::dvec3(ray.origin), moved(p, by), by / 16));
     CHECK(std::isinf(ray.origin.w));
     CHECK(ray.direction.w == float(shared::kind_reflection));
   }
@@ -159,7 +179,8 @@ TEST_CASE("refraction rays go straight through thin walls, bend by Snell's law, 
     const double height = glm::dot(direction, glm::dvec3(p.geometric));
     if (height > 0) direction -= glm::dvec3(p.geometric) * (2 * height);
     CHECK(near(glm::dvec3(created.rays[i].direction), direction, 2e-5));
-    CHECK(near(glm::dvec3(created.rays[i].origin), moved(p, -1), ulps(p)));
+    const double by = step(created, p);
+    CHECK(near(glm::dvec3(created.rays[i].origin), moved(p, -by), by / 16));
     CHECK(created.rays[i].direction.w == float(shared::kind_refraction));
   }
   CHECK(bent > 100);

@@ -114,7 +114,8 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
     const rays::Segment& segment = rays.batch.segments[s];
     if (segment.count == 0) continue;
     const uint32_t row = segment.kind * shared::counters_per_row, depth = options.algorithm.levels[segment.kind];
-    const traversal::In in{hierarchy_, scene, options.algorithm, counters_, row, options.submit_work, options.drop_every};
+    const traversal::In in{.hierarchy = hierarchy_, .scene = scene, .options = options.algorithm, .counters = counters_,
+                           .counter_row = row, .submit_work = options.submit_work, .drop_every = options.drop_every};
     traversal::traverse(recorder_, in, depth, hierarchy_.levels[depth - 1].segments[s], scratch_,
                         [&](const traversal::Candidates& candidates) {
                           const auto part = recorder_.read<shared::HitPair>(candidates.pairs, candidates.count);
