@@ -27,7 +27,7 @@ void main() {
   Ray ray = rays[id];
   uvec4 hit = hits[id];
   uint tests = 0u;
-  bool together = walk_together(first_triangle);
+  bool together = walk_together(first_triangle, triangle_count);
   for (uint own_end = together ? 0u : triangle_count; tests < own_end; ++tests)
     hit = meet(hit, ray, load_triangle(first_triangle + tests));
   for (uint first = tests; first < triangle_count; first += gl_SubgroupSize) {

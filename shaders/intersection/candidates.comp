@@ -39,7 +39,7 @@ void main() {
   uint id = order[position];
   uvec4 hit = hits[id];
 
-  bool together = walk_together(begin);
+  bool together = walk_together(begin, end);
   uint own_end = together || !present ? begin : end;
   for (uint pair = begin; pair < own_end; ++pair) hit = meet(hit, ray, load_triangle(pairs[pair].triangle));
   uint common_end = together ? end : begin;

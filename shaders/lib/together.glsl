@@ -12,12 +12,13 @@
 #extension GL_KHR_shader_subgroup_shuffle : require
 #endif
 
-/// Whether `list` is the same in all lanes of the subgroup, so that they walk it together.
-bool walk_together(uint list) {
+/// Whether all lanes of the subgroup have the same list, begin to before end, so that they walk it together. (An empty
+/// list begins where the next one does: its lanes would stop and leave the others without what they load.)
+bool walk_together(uint begin, uint end) {
 #ifdef CRSH_ALONE
   return false;
 #else
-  uint first = subgroupBroadcastFirst(list);
+  uvec2 list = uvec2(begin, end), first = subgroupBroadcastFirst(list);
   return subgroupBallot(list != first) == uvec4(0u);
 #endif
 }

@@ -45,7 +45,7 @@ void main() {
 
   uint hits = 0u;
   uint word = list.first_mask;
-  bool together = walk_together(list.begin);
+  bool together = walk_together(list.begin, list.end);
   uint own_end = together || !present ? list.begin : list.end;
   for (uint begin = list.begin; begin < own_end; begin += 32u) {
     uint count = min(32u, list.end - begin);

@@ -49,7 +49,7 @@ void main() {
   Interval interval = intervals[first_node + node];
 
   uint mask = 0u;
-  bool together = walk_together(block.y);
+  bool together = walk_together(block.y, block.z);
   uint own_end = together ? 0u : count;
   for (uint k = 0u; k < own_end; ++k)
     if (bound_may_hit_sphere(ray_node, interval, triangle_spheres[block.y + k], use_interval == 1u)) mask |= 1u << k;

@@ -62,16 +62,22 @@ Option algorithm_option(AlgorithmOptions& algorithm) {
 }
 
 Option key_option(AlgorithmOptions& algorithm) {
-  return {.names = "--key", .value = "[KIND=]NAME",
+  return {.names = "--key",
+          .value = "[KIND=]NAME",
           .help = fmt::format("Sort key of one kind of rays ({}) or of all: best, {}. Repeats.",
                               fmt::join(kind_names(), ", "), fmt::join(rays::key_names(), ", ")),
-          .set = [&algorithm](const std::string& given) {
-            for_kinds(given, [&](size_t kind, const std::string& name) { algorithm.keys[kind] = key_named(kind, name); });
-          },
-          .get = [&algorithm] {
-            return by_kind([&](size_t kind) { return algorithm.keys[kind].empty() ? "creation" : algorithm.keys[kind]; });
-          },
-          .repeats = true, .initial = ""};
+          .set =
+              [&algorithm](const std::string& given) {
+                for_kinds(given,
+                          [&](size_t kind, const std::string& name) { algorithm.keys[kind] = key_named(kind, name); });
+              },
+          .get =
+              [&algorithm] {
+                return by_kind(
+                    [&](size_t kind) { return algorithm.keys[kind].empty() ? "creation" : algorithm.keys[kind]; });
+              },
+          .repeats = true,
+          .initial = ""};
 }
 
 Option levels_option(AlgorithmOptions& algorithm) {

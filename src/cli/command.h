@@ -58,7 +58,8 @@ struct Command {
 [[nodiscard]] bool parse(const Command& command, const std::vector<std::string>& arguments);
 
 /// Every effective value, by the option's name; `only_pixels`: of those that change pixels.
-[[nodiscard]] nlohmann::ordered_json effective_options(const std::vector<OptionGroup>& groups, bool only_pixels = false);
+[[nodiscard]] nlohmann::ordered_json effective_options(const std::vector<OptionGroup>& groups,
+                                                       bool only_pixels = false);
 
 /// `crsh help COMMAND`.
 [[nodiscard]] std::string help_of(const Command& command);

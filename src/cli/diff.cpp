@@ -41,25 +41,29 @@ Option limit_row(std::string names, std::string help, std::string initial, std::
 
 std::vector<OptionGroup> diff_options(DiffCommand& command) {
   constexpr float any = 1e30f;
-  return {{"Tolerance",
-           {flag("--exact", "Every bit must be equal.", command.tolerance.exact),
-            limit_row("--fail", "A pixel fails when one of its channels differs by more.", "0.004", command.fail, any),
-            limit_row("--fail-percent", "Per cent of all pixels that may fail.", "0.1", command.fail_percent, 100),
-            limit_row("--hard-fail", "No pixel may differ by more.", "0.05, or --fail where that is more",
-                      command.hard_fail, any)}},
-          {"What and where to",
-           {text("--layers", "LIST", "Layers to compare, with commas between: beauty, Z, N, ... or all.", command.layers),
-            text("-o,--output", "FILE.png", "Write a picture: black where equal, white at the worst pixel.", command.picture),
-            text("--json", "FILE|-", "Write the result as JSON.", command.json)}}};
+  return {
+      {"Tolerance",
+       {flag("--exact", "Every bit must be equal.", command.tolerance.exact),
+        limit_row("--fail", "A pixel fails when one of its channels differs by more.", "0.004", command.fail, any),
+        limit_row("--fail-percent", "Per cent of all pixels that may fail.", "0.1", command.fail_percent, 100),
+        limit_row("--hard-fail", "No pixel may differ by more.", "0.05, or --fail where that is more",
+                  command.hard_fail, any)}},
+      {"What and where to",
+       {text("--layers", "LIST", "Layers to compare, with commas between: beauty, Z, N, ... or all.", command.layers),
+        text("-o,--output", "FILE.png", "Write a picture: black where equal, white at the worst pixel.",
+             command.picture),
+        text("--json", "FILE|-", "Write the result as JSON.", command.json)}}};
 }
 
 void check(DiffCommand& command) {
   if (command.tolerance.exact && (command.fail || command.fail_percent || command.hard_fail))
-    throw UserError("--exact allows no difference: give it without --fail, --fail-percent and --hard-fail", Exit::usage);
+    throw UserError("--exact allows no difference: give it without --fail, --fail-percent and --hard-fail",
+                    Exit::usage);
   if (command.picture == "-" && command.json == "-")
     throw UserError("two outputs on standard output: give one of them a file", Exit::usage);
   if (command.picture != "-" && !command.picture.empty() && !command.picture.ends_with(".png"))
-    throw UserError(fmt::format("--output {}: a path that ends in .png is allowed, or -", command.picture), Exit::usage);
+    throw UserError(fmt::format("--output {}: a path that ends in .png is allowed, or -", command.picture),
+                    Exit::usage);
   for (const std::string* path : {&command.picture, &command.json})
     if (!path->empty() && *path != "-") output::check_writable(*path);
   output::Tolerance& tolerance = command.tolerance;

@@ -102,12 +102,11 @@ std::string scene_text(const scene::Scene& scene) {
          line("meshes", std::to_string(scene.meshes.size())) +
          line("instances", std::to_string(scene.instances.size())) +
          line("materials", std::to_string(material_count(scene))) +
-         line("textures", std::to_string(scene.textures.size())) +
-         line("lights", counted(scene.lights, light)) +
+         line("textures", std::to_string(scene.textures.size())) + line("lights", counted(scene.lights, light)) +
          line("cameras", counted(scene.cameras, [](const scene::Camera& camera) { return type_of(camera); })) +
-         line("animations", counted(scene.animations, animation)) +
-         line("bounds", bounds_text(bounds_of(scene))) +
-         line("not supported", scene.unsupported.empty() ? "nothing" : fmt::format("{}", fmt::join(scene.unsupported, "; ")));
+         line("animations", counted(scene.animations, animation)) + line("bounds", bounds_text(bounds_of(scene))) +
+         line("not supported",
+              scene.unsupported.empty() ? "nothing" : fmt::format("{}", fmt::join(scene.unsupported, "; ")));
 }
 
 Json scene_json(const scene::Scene& scene) {

@@ -152,7 +152,8 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   output::Progress progress(progress_mode(command), frames);
   Run run{command, renderer, progress, {}};
   const Picture last = render_frames(run);
-  if (run.clamped) say(command, fmt::format("{} values beyond 65504, the largest half, were clamped to it", run.clamped));
+  if (run.clamped)
+    say(command, fmt::format("{} values beyond 65504, the largest half, were clamped to it", run.clamped));
   if (!command.stats.empty()) write_stats(run, device, last, line);
   say_stage_times(command, renderer.statistics());
 }

@@ -26,7 +26,8 @@ void check_outputs(const RenderCommand& command) {
 }
 
 void check_view(const ViewOption& view, const std::string& camera) {
-  if (!camera.empty() && (view.eye || view.target)) misuse("--camera is one of the file's, --eye and --target your own: give one");
+  if (!camera.empty() && (view.eye || view.target))
+    misuse("--camera is one of the file's, --eye and --target your own: give one");
   if (view.eye && view.target && *view.eye == *view.target) misuse("--eye and --target are the same point");
 }
 

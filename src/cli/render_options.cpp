@@ -1,6 +1,7 @@
 #include "cli/render_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,6 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr uint64_t mebibyte = uint64_t(1) << 20;
+
+std::string with_commas(const std::vector<std::string_view>& words) { return fmt::format("{}", fmt::join(words, ",")); }
 
 Json text_or_null(const std::optional<glm::vec3>& vector) { return vector ? Json(text_of(*vector)) : Json(); }
 
@@ -35,10 +38,14 @@ void set_size(const std::string& text, RenderOptions& options) {
 }
 
 Option size_row(RenderOptions& options) {
-  return {.names = "--size", .value = "WxH", .help = "Size in pixels.",
-          .set = [&options](const std::string& text) { set_size(text, options); },
-          .get = [&options] { return options.width ? Json(fmt::format("{}x{}", options.width, options.height)) : Json(); },
-          .pixels = true, .initial = "height 512, the camera's aspect"};
+  return {
+      .names = "--size",
+      .value = "WxH",
+      .help = "Size in pixels.",
+      .set = [&options](const std::string& text) { set_size(text, options); },
+      .get = [&options] { return options.width ? Json(fmt::format("{}x{}", options.width, options.height)) : Json(); },
+      .pixels = true,
+      .initial = "height 512, the camera's aspect"};
 }
 
 /// R,G,B of light: not negative.
@@ -49,10 +56,13 @@ glm::vec3 parse_radiance(const std::string& text) {
 }
 
 Option background_row(std::optional<glm::vec3>& background) {
-  return {.names = "--background", .value = "none|R,G,B", .help = "Radiance where nothing is, in cd/m2; none: transparent.",
-          .set = [&background](const std::string& text) {
-            background = text == "none" ? std::nullopt : std::optional(parse_radiance(text));
-          },
+  return {.names = "--background",
+          .value = "none|R,G,B",
+          .help = "Radiance where nothing is, in cd/m2; none: transparent.",
+          .set =
+              [&background](const std::string& text) {
+                background = text == "none" ? std::nullopt : std::optional(parse_radiance(text));
+              },
           .get = [&background] { return background ? text_of(*background) : "none"; },
           .pixels = true};
 }
@@ -72,25 +82,25 @@ Option rays_row(std::array<bool, kind_count>& rays) {
             rays = chosen;
           },
           .get = [&rays] {
-            std::string list;
+            std::vector<std::string_view> chosen;
             for (size_t kind = 0; kind < kind_count; ++kind)
-              if (rays[kind]) list += (list.empty() ? "" : ",") + std::string(ray_kinds[kind].name);
-            return list.empty() ? "none" : list;
+              if (rays[kind]) chosen.push_back(ray_kinds[kind].name);
+            return chosen.empty() ? "none" : with_commas(chosen);
           },
           .pixels = true};
 }
 
 OptionGroup picture_options(RenderOptions& options) {
-  return {"Picture",
-          {size_row(options),
-           changes_pixels(integer("--samples", "N", "Samples a pixel.", options.samples, 1, 65536)),
-           changes_pixels(integer("--seed", "N", "Chooses other places for the samples.", options.seed, 0, UINT32_MAX)),
-           changes_pixels(integer("--bounces", "N", "Generations of reflection and refraction, 0 to 64.",
-                                  options.bounces, 0, 64)),
-           rays_row(options.rays),
-           changes_pixels(flag("--override-mirror", "Let every surface also reflect like a perfect mirror (for measuring).",
-                               options.override_mirror)),
-           background_row(options.background)}};
+  return {
+      "Picture",
+      {size_row(options), changes_pixels(integer("--samples", "N", "Samples a pixel.", options.samples, 1, 65536)),
+       changes_pixels(integer("--seed", "N", "Chooses other places for the samples.", options.seed, 0, UINT32_MAX)),
+       changes_pixels(
+           integer("--bounces", "N", "Generations of reflection and refraction, 0 to 64.", options.bounces, 0, 64)),
+       rays_row(options.rays),
+       changes_pixels(flag("--override-mirror", "Let every surface also reflect like a perfect mirror (for measuring).",
+                           options.override_mirror)),
+       background_row(options.background)}};
 }
 
 Option fov_row(std::optional<float>& degrees) {
@@ -124,27 +134,31 @@ std::string light_text(const LightOption& light) {
 }
 
 Option light_row(std::vector<LightOption>& lights) {
-  return {.names = "--light", .value = "X,Y,Z[,CANDELA]",
-          .help = "A point light in place of the file's lights. Without candela: as bright as suits the scene. Repeats.",
-          .set = [&lights](const std::string& text) { lights.push_back(parse_light(text)); },
-          .get = [&lights] {
+  return {
+      .names = "--light",
+      .value = "X,Y,Z[,CANDELA]",
+      .help = "A point light in place of the file's lights. Without candela: as bright as suits the scene. Repeats.",
+      .set = [&lights](const std::string& text) { lights.push_back(parse_light(text)); },
+      .get =
+          [&lights] {
             Json list = Json::array();
             for (const LightOption& light : lights) list.push_back(light_text(light));
             return lights.empty() ? Json() : list;
           },
-          .repeats = true, .pixels = true, .initial = "the file's lights, else one beside the camera"};
+      .repeats = true,
+      .pixels = true,
+      .initial = "the file's lights, else one beside the camera"};
 }
 
 OptionGroup scene_options(RenderOptions& options) {
   return {"Scene and view",
-          {changes_pixels(with_default("the file's default", text("--scene", "INDEX|NAME", "Which of the file's scenes.", options.scene))),
+          {changes_pixels(with_default("the file's default",
+                                       text("--scene", "INDEX|NAME", "Which of the file's scenes.", options.scene))),
            changes_pixels(with_default("the first, else one that sees the whole scene",
                                        text("--camera", "INDEX|NAME", "Which of the file's cameras.", options.camera))),
            vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
-           vector_row("--target", "What it looks at.", options.view.target),
-           up_row(options.view.up),
-           fov_row(options.view.fov_degrees),
-           light_row(options.lights)}};
+           vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
+           fov_row(options.view.fov_degrees), light_row(options.lights)}};
 }
 
 FrameRange parse_frames(const std::string& text) {
@@ -163,7 +177,9 @@ FrameRange parse_frames(const std::string& text) {
 }
 
 Option frames_row(std::optional<FrameRange>& frames) {
-  return {.names = "--frames", .value = "A..B", .help = "Render frames A to B, both included. Frame N is at N / fps seconds.",
+  return {.names = "--frames",
+          .value = "A..B",
+          .help = "Render frames A to B, both included. Frame N is at N / fps seconds.",
           .set = [&frames](const std::string& text) { frames = parse_frames(text); },
           .get = [&frames] { return frames ? Json(fmt::format("{}..{}", frames->first, frames->last)) : Json(); }};
 }
@@ -179,13 +195,17 @@ Option time_row(std::optional<float>& seconds) {
 }
 
 OptionGroup time_options(RenderCommand& command) {
-  return {"Time",
-          {time_row(command.seconds), frames_row(command.frames),
-           {.names = "--fps", .value = "N", .help = "Frames a second.",
-            .set = [&fps = command.frames_per_second](const std::string& text) { fps = parse_real(text, 0.001f, 100000); },
-            .get = [&fps = command.frames_per_second] { return json_of(fps); }},
-           changes_pixels(with_default("the first", text("--animation", "INDEX|NAME", "Which of the file's animations.",
-                                                         command.options.animation)))}};
+  return {
+      "Time",
+      {time_row(command.seconds),
+       frames_row(command.frames),
+       {.names = "--fps",
+        .value = "N",
+        .help = "Frames a second.",
+        .set = [&fps = command.frames_per_second](const std::string& text) { fps = parse_real(text, 0.001f, 100000); },
+        .get = [&fps = command.frames_per_second] { return json_of(fps); }},
+       changes_pixels(with_default("the first", text("--animation", "INDEX|NAME", "Which of the file's animations.",
+                                                     command.options.animation)))}};
 }
 
 Option memory_row(uint64_t& bytes) {
@@ -204,9 +224,11 @@ Option mutation_row(std::optional<std::string>& mutation) {
 OptionGroup device_options(RenderCommand& command) {
   auto& device = command.device;
   return {"Device",
-          {with_default("a GPU before a software device", text("--device", "INDEX|NAME|UUID", "See crsh info.", device.selector)),
+          {with_default("a GPU before a software device",
+                        text("--device", "INDEX|NAME|UUID", "See crsh info.", device.selector)),
            with_default("no limit", memory_row(device.memory_budget)),
-           integer("--submit-work", "TESTS", "Tests that are given to the device at once, 65536 or more: less keeps a desktop responsive.",
+           integer("--submit-work", "TESTS",
+                   "Tests that are given to the device at once, 65536 or more: less keeps a desktop responsive.",
                    command.options.submit_work, uint64_t(1) << 16, uint64_t(1) << 40),
            flag("--validation", "Run with the Vulkan validation layers.", device.validation),
            hidden(not_effective(integer("--first-capacity", "BYTES", "First size of growing buffers.",
@@ -231,43 +253,51 @@ std::vector<std::string> parse_layers(const std::string& text) {
 }
 
 Option layers_row(std::vector<std::string>& layers) {
-  return {.names = "--layers", .value = "LIST", .help = "Layers of an EXR: beauty, Z, N, Albedo, with commas between, or all.",
+  return {.names = "--layers",
+          .value = "LIST",
+          .help = "Layers of an EXR: beauty, Z, N, Albedo, with commas between, or all.",
           .set = [&layers](const std::string& text) { layers = parse_layers(text); },
-          .get = [&layers] {
-            std::string list;
-            for (const auto& [name, layer] : layer_names)
-              if (std::ranges::find(layers, layer) != layers.end()) list += (list.empty() ? "" : ",") + std::string(name);
-            return list;
-          }};
+          .get =
+              [&layers] {
+                std::vector<std::string_view> chosen;
+                for (const auto& [name, layer] : layer_names)
+                  if (std::ranges::find(layers, layer) != layers.end()) chosen.push_back(name);
+                return with_commas(chosen);
+              }};
 }
 
 Option exposure_row(std::optional<float>& exposure) {
-  return {.names = "--exposure", .value = "EV|auto", .help = "Brightness of a PNG in stops; EXR files keep the light as it is.",
-          .set = [&exposure](const std::string& text) {
-            exposure = text == "auto" ? std::nullopt : std::optional(parse_real(text, -64, 64));
-          },
+  return {.names = "--exposure",
+          .value = "EV|auto",
+          .help = "Brightness of a PNG in stops; EXR files keep the light as it is.",
+          .set =
+              [&exposure](const std::string& text) {
+                exposure = text == "auto" ? std::nullopt : std::optional(parse_real(text, -64, 64));
+              },
           .get = [&exposure] { return exposure ? json_of(*exposure) : Json("auto"); }};
 }
 
 Option output_row(std::vector<output::PathPattern>& outputs) {
-  return {.names = "-o,--output", .value = "FILE",
-          .help = "Where the picture goes: .exr, .png, or - for PNG on standard output. {frame} becomes the frame's number in "
-                  "four digits, {frame:N} in N. Repeats.",
-          .set = [&outputs](const std::string& path) { outputs.emplace_back(path); },
-          .repeats = true};
+  return {
+      .names = "-o,--output",
+      .value = "FILE",
+      .help =
+          "Where the picture goes: .exr, .png, or - for PNG on standard output. {frame} becomes the frame's number in "
+          "four digits, {frame:N} in N. Repeats.",
+      .set = [&outputs](const std::string& path) { outputs.emplace_back(path); },
+      .repeats = true};
 }
 
 OptionGroup output_options(RenderCommand& command) {
-  return {"Output",
-          {output_row(command.outputs),
-           exposure_row(command.exposure),
-           layers_row(command.layers),
-           not_effective(text("--stats", "FILE|-", "Write counters and times of the run as JSON.", command.stats)),
-           with_default("auto: a bar on a terminal",
-                        not_effective(choice("--progress", "auto|json|none", "Say on standard error how far the render is.",
-                                             command.progress, {"auto", "json", "none"}))),
-           not_effective(flag("-q,--quiet", "Say nothing but errors.", command.quiet)),
-           not_effective(flag("-v,--verbose", "Say how long each stage took.", command.verbose))}};
+  return {
+      "Output",
+      {output_row(command.outputs), exposure_row(command.exposure), layers_row(command.layers),
+       not_effective(text("--stats", "FILE|-", "Write counters and times of the run as JSON.", command.stats)),
+       with_default("auto: a bar on a terminal",
+                    not_effective(choice("--progress", "auto|json|none", "Say on standard error how far the render is.",
+                                         command.progress, {"auto", "json", "none"}))),
+       not_effective(flag("-q,--quiet", "Say nothing but errors.", command.quiet)),
+       not_effective(flag("-v,--verbose", "Say how long each stage took.", command.verbose))}};
 }
 
 }  // namespace

@@ -20,9 +20,12 @@ inline Option flag(std::string names, std::string help, bool& variable) {
 
 /// Text that may be anything; null when empty.
 inline Option text(std::string names, std::string value, std::string help, std::string& variable) {
-  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
-          .set = [&variable](const std::string& given) { variable = given; },
-          .get = [&variable] { return variable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(variable); }};
+  return {
+      .names = std::move(names),
+      .value = std::move(value),
+      .help = std::move(help),
+      .set = [&variable](const std::string& given) { variable = given; },
+      .get = [&variable] { return variable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(variable); }};
 }
 
 template <class Integer>

@@ -34,7 +34,8 @@ void refuse(const std::string& allowed) { throw UserError(allowed, Exit::usage);
 
 uint64_t parse_integer(const std::string& text, uint64_t low, uint64_t high) {
   const auto value = whole_number<uint64_t>(text);
-  if (!value || *value < low || *value > high) refuse(fmt::format("a whole number from {} to {} is allowed", low, high));
+  if (!value || *value < low || *value > high)
+    refuse(fmt::format("a whole number from {} to {} is allowed", low, high));
   return *value;
 }
 

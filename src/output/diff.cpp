@@ -95,7 +95,8 @@ struct Tally {
 bool passes(const Comparison& comparison, const Tolerance& tolerance) {
   if (tolerance.exact) return comparison.failing == 0;
   const double allowed = tolerance.fail_percent / 100 * double(comparison.width) * double(comparison.height);
-  return double(comparison.failing) <= allowed && (!comparison.worst || comparison.worst->difference <= tolerance.hard_fail);
+  return double(comparison.failing) <= allowed &&
+         (!comparison.worst || comparison.worst->difference <= tolerance.hard_fail);
 }
 
 }  // namespace

@@ -84,7 +84,9 @@ std::string encode_grey_png(const std::vector<uint8_t>& pixels, uint32_t width, 
 Image decode_png(const std::string& bytes, const std::string& name) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(std::min<size_t>(bytes.size(), INT32_MAX));
-  const auto refuse = [&](std::string_view why) { throw UserError(fmt::format("{}: broken or unsupported PNG file ({})", name, why)); };
+  const auto refuse = [&](std::string_view why) {
+    throw UserError(fmt::format("{}: broken or unsupported PNG file ({})", name, why));
+  };
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) refuse(stbi_failure_reason());
   if (width > int(longest_side) || height > int(longest_side))

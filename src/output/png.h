@@ -11,7 +11,8 @@ namespace crsh::output {
 /// A linear value (clamped to 0..1; not a number is 0) on the sRGB curve, as a byte.
 [[nodiscard]] uint8_t srgb_byte(double linear);
 
-/// `beauty` (linear, premultiplied RGBA) times 2^exposure; RGB where every pixel is opaque, else RGBA, not premultiplied.
+/// `beauty` (linear, premultiplied RGBA) times 2^exposure; RGB where every pixel is opaque, else RGBA, not
+/// premultiplied.
 [[nodiscard]] std::string encode_png(const Layer& beauty, uint32_t width, uint32_t height, double exposure);
 
 /// One byte a pixel, rows from the top.

@@ -42,7 +42,18 @@ Stretch stretch_of(const dmat3& a) {
   return {std::sqrt(std::max(least, 0.0)), std::sqrt(std::max(largest, 0.0))};
 }
 
-double largest_coordinate(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+/// The most that the terms of one coordinate can add up to when a point of the sphere is moved: what float rounding
+/// there is relative to, also where a translation cancels them.
+double largest_terms(const glm::dmat4& m, const Sphere& sphere) {
+  double most = 0;
+  for (int row = 0; row < 3; ++row) {
+    double terms = std::abs(m[3][row]);
+    for (int column = 0; column < 3; ++column)
+      terms += std::abs(m[column][row]) * (std::abs(double(sphere.centre[column])) + sphere.radius);
+    most = std::max(most, terms);
+  }
+  return most;
+}
 
 }  // namespace
 
@@ -64,13 +75,13 @@ void fill_bounds(Mesh& mesh) {
 
 Sphere transformed_sphere(const Mesh& mesh, const glm::mat4& transform) {
   constexpr double similarity = 1e-6;   // relative difference of singular values that rounding explains
-  constexpr double pad = 1.0 / 524288;  // 2^-19 of the largest coordinate: what float transforms may err
+  constexpr double pad = 1.0 / 524288;  // 2^-19: what float transforms and a triangle's own padding come to
   const glm::dmat4 exact(transform);
   const Stretch stretch = stretch_of(dmat3(exact));
   const bool similar = stretch.largest - stretch.least <= similarity * stretch.largest;
   const glm::vec3 centre(exact * glm::dvec4(mesh.sphere.centre, 1));
   const double radius = stretch.largest * (similar ? mesh.cover_similar : mesh.cover_affine);
-  return {centre, rounded_outwards(radius + pad * (largest_coordinate(dvec3(centre)) + radius))};
+  return {centre, rounded_outwards(radius + pad * largest_terms(exact, mesh.sphere))};
 }
 
 }  // namespace crsh::scene

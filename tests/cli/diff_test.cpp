@@ -48,7 +48,9 @@ TEST_CASE("equal files end with 0, different ones with 3 and the worst pixel") {
   const test::Outcome outcome = files.diff("exr", {"--exact"});
   CHECK(outcome.status == 3);
   CHECK(outcome.err.empty());
-  CHECK(outcome.out == "different: 1 of 200 pixels (0.5%), worst at pixel 7,3 channel G: 0.25 against 0.899902344 (difference 0.7222)\n");
+  CHECK(outcome.out ==
+        "different: 1 of 200 pixels (0.5%), worst at pixel 7,3 channel G: 0.25 against 0.899902344 (difference "
+        "0.7222)\n");
   CHECK(files.diff("png").status == 3);
   CHECK(files.diff("exr", {"--exact", "--layers", "Z"}).status == 0);
 }
@@ -104,7 +106,8 @@ bool idiff_is_here() {
   return here;
 }
 
-/// Two noisy PNG files that differ a little here and there. Opaque: idiff premultiplies, we compare what the file holds.
+/// Two noisy PNG files that differ a little here and there. Opaque: idiff premultiplies, we compare what the file
+/// holds.
 void write_noisy_pair(const test::TemporaryFolder& folder, uint32_t seed) {
   std::mt19937 random(seed);
   Picture picture = test::plain_picture(32, 32, {0, 0, 0, 1});

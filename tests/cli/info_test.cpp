@@ -42,7 +42,8 @@ TEST_CASE("a scene that cannot be read is one line, exit status 1") {
   const test::TemporaryFolder folder;
   output::write_whole(folder / "empty.glb", "");
   output::write_whole(folder / "text.gltf", "hello");
-  for (const std::string& path : {folder / "none.glb", folder / "empty.glb", folder / "text.gltf", folder.path().string()}) {
+  for (const std::string& path :
+       {folder / "none.glb", folder / "empty.glb", folder / "text.gltf", folder.path().string()}) {
     const test::Outcome outcome = crsh({"info", path});
     CAPTURE(path);
     CHECK(outcome.status == 1);

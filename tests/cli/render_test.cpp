@@ -147,8 +147,8 @@ TEST_CASE("SIGTERM while rendering ends it by that signal, without any file") {
   const std::string path = test::crsh_path(), out = folder / "big.exr";
   const pid_t child = ::fork();
   if (child == 0) {
-    ::execl(path.c_str(), path.c_str(), "render", cornell.c_str(), "-o", out.c_str(), "--size", "1024x1024", "--samples",
-            "64", "-q", nullptr);
+    ::execl(path.c_str(), path.c_str(), "render", cornell.c_str(), "-o", out.c_str(), "--size", "1024x1024",
+            "--samples", "64", "-q", nullptr);
     ::_exit(127);
   }
   ::usleep(1'500'000);

@@ -64,7 +64,8 @@ TEST_CASE("a wrong option is one line, exit status 2") {
   check_misuse({"render", "a.glb", "-o"}, "-o");
   check_misuse({"render", "a.glb", "-o", "a.png", "--sise", "1x1"}, "--sise: no such option");
   check_misuse({"render", "a.glb", "b.glb", "-o", "a.png"}, "b.glb: one argument too many");
-  check_misuse({"render", "a.glb", "-o", "a.png", "--size", "0x0"}, "--size 0x0: WIDTHxHEIGHT is allowed, each from 1 to 16384");
+  check_misuse({"render", "a.glb", "-o", "a.png", "--size", "0x0"},
+               "--size 0x0: WIDTHxHEIGHT is allowed, each from 1 to 16384");
   check_misuse({"render", "a.glb", "-o", "a.png", "--size", "100000x100000"}, "each from 1 to 16384");
   check_misuse({"render", "a.glb", "-o", "a.png", "--algorithm", "bvh9"}, "brute, rah, crsh-2017, crsh");
   check_misuse({"render", "a.glb", "-o", "a.png", "--eye", "nan,0,0"}, "three finite numbers");
@@ -90,8 +91,10 @@ TEST_CASE("a place that cannot be written to is known before the scene is looked
   const test::Outcome outcome = crsh({"render", "no.glb", "-o", missing});
   CHECK(outcome.status == 1);
   CHECK(outcome.error_lines() == 1);
-  CHECK(outcome.err == "crsh: " + missing + ": the folder " + (folder / "no") + " does not exist: create it or choose another path\n");
-  CHECK(crsh({"render", "no.glb", "-o", folder / "a.png", "--stats", folder.path()}).err.find("is a folder") != std::string::npos);
+  CHECK(outcome.err ==
+        "crsh: " + missing + ": the folder " + (folder / "no") + " does not exist: create it or choose another path\n");
+  CHECK(crsh({"render", "no.glb", "-o", folder / "a.png", "--stats", folder.path()}).err.find("is a folder") !=
+        std::string::npos);
   CHECK(folder.size() == 0);
 }
 

@@ -117,13 +117,14 @@ Rendered floor_under_grid() {
   options.view.eye = {0, 2, 0.5f};
   options.view.target = {0, 0, 0};
   options.lights = {{{0.1f, 6, 0.2f}, 30.0f}};
+  options.algorithm.levels.fill(2);
   return render(built_scene(triangles, {matt(glm::vec3(0.5f))}), options);
 }
 
 TEST_CASE("where all nodes are full, level-1 tests are arity times level-2 hits, and exact tests arity times level-1 hits") {
   const Rendered rendered = floor_under_grid();
   for (const char* kind : {"shadow", "reflection"}) {
-    CAPTURE(kind);
+    CAPTURE(std::string(kind));
     const RayStatistics& row = rays_of(rendered.statistics, kind, 0);
     CHECK(row.count == 64 * 64);
     CHECK(row.hits > 0);

@@ -55,7 +55,7 @@ const scene::Scene* scene_of(const View& view) {
 void check_algorithms(const View& view, uint32_t size, uint32_t brute_size) {
   const scene::Scene* scene = scene_of(view);
   if (!scene) return;
-  CAPTURE(view.name);
+  CAPTURE(std::string(view.name));
   const RenderOptions options = options_of(view, size, 2), tiny = options_of(view, brute_size, 2);
   const Rendered ours = render_with("crsh", *scene, options);
   CHECK(difference(ours, render_with("crsh-2017", *scene, options)) == "");
@@ -91,7 +91,7 @@ TEST_CASE("the three views cast as many rays as FINDINGS has" * doctest::skip(!i
   for (const View& view : views) {
     const scene::Scene* scene = scene_of(view);
     if (!scene) return;
-    CAPTURE(view.name);
+    CAPTURE(std::string(view.name));
     check_near(count_of(view, *scene, shared::kind_shadow), view.shadow_rays);
     check_near(count_of(view, *scene, shared::kind_reflection), view.mirror_rays);
   }

@@ -85,6 +85,7 @@ TEST_CASE("no bound rejects a ray that hits, whatever the arity, levels, fit, in
         options.algorithm.fit = switches & 1 ? Fit::all : Fit::merged;
         options.algorithm.interval = switches & 2;
         options.algorithm.mesh_culling = switches & 4;
+        options.submit_work = seed % 2 ? 1 << 26 : 1 << 16;
         const Traced traced = tracer.trace(world.scene, world.rays, options);
         CAPTURE(seed);
         CAPTURE(arity);
@@ -92,6 +93,24 @@ TEST_CASE("no bound rejects a ray that hits, whatever the arity, levels, fit, in
         CAPTURE(switches);
         CHECK(different_hits(traced, all).empty());
       }
+  }
+}
+
+TEST_CASE("an object's sphere holds its triangles' spheres, also where a mesh is modelled far from where it stands") {
+  gpu::Recorder recorder(test::device());
+  for (uint32_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    const glm::vec3 modelled = random.unit() * random.scale(1, 1e5f);
+    glm::mat4 transform = placed(random, seed % 2 ? glm::vec3(1) : glm::vec3(-1, 0.3f, 2));
+    if (seed % 4 < 2) transform[3] = glm::vec4(-glm::vec3(transform * glm::vec4(modelled, 0)), 1);  // back to the origin
+    const std::vector<Triangle> triangle = {{modelled, modelled + random.unit(), modelled + random.unit()}};
+    const scene::GpuScene scene = make_scene(recorder, {{seed % 3 ? triangle : closed_mesh(0, modelled, 0.5f), transform}});
+    const glm::vec4 object = recorder.read<glm::vec4>(scene.object_spheres, 1)[0];
+    double outside = 0;
+    for (const glm::vec4& own : recorder.read<glm::vec4>(scene.triangle_spheres, scene.triangle_count))
+      outside = std::max(outside, glm::distance(glm::dvec3(object), glm::dvec3(own)) + own.w - object.w);
+    CAPTURE(seed);
+    CHECK(outside == 0);
   }
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("scanlines are in image order, and a portion is a part of the whole") 
 
 /// glTF's BRDF times cosine, specification appendix B, in double.
 glm::dvec3 brdf(const Point& p, glm::dvec3 light) {
-  const glm::dvec3 n(p.normal), v = -glm::dvec3(p.incoming), h = glm::normalize(v + light);
+  const glm::dvec3 n = glm::normalize(glm::dvec3(p.normal)), v = -glm::normalize(glm::dvec3(p.incoming)), h = glm::normalize(v + light);
   const double nl = glm::dot(n, light), nv = std::max(glm::dot(n, v), 1e-4), nh = glm::dot(n, h);
   if (nl <= 0) return glm::dvec3(0);
   const double rough = std::max(double(p.roughness), 0.045), a2 = std::pow(rough, 4);

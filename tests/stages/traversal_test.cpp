@@ -139,6 +139,24 @@ TEST_CASE("buffers that begin with 1 or 64 bytes give the same pairs, counters a
   }
 }
 
+TEST_CASE("lanes that walk alone give the same pairs, counters and hits as those that walk together") {
+  Place place(device());
+  gpu::DeviceRequest wanted = request();
+  wanted.walk_alone = true;
+  gpu::Device other(wanted);
+  Place there(other);
+  for (const AlgorithmOptions& options : several_algorithms())
+    for (const uint64_t submit_work : {1 << 26, 1 << 16}) {
+      const Traced expected = place.tracer.trace(place.scene, place.rays, {options, submit_work});
+      const Traced traced = there.tracer.trace(there.scene, there.rays, {options, submit_work});
+      CAPTURE(options.arity);
+      CAPTURE(submit_work);
+      check_same(traced, expected);
+      CHECK(different_hits(traced, expected).empty());
+    }
+  CHECK(other.validation_messages() == 0);
+}
+
 TEST_CASE("submits of 2^16 tests give the same pairs a node, counters and hits") {
   Place place(device());
   for (const AlgorithmOptions& options : several_algorithms()) {

@@ -14,13 +14,15 @@ namespace crsh::output {
 namespace {
 
 Image real_image(std::vector<float> values, const std::string& channel = "R") {
-  Image image{.format = Format::exr, .width = uint32_t(values.size()), .height = 1, .channels = {{channel, Sample::real, {}}}};
+  Image image{
+      .format = Format::exr, .width = uint32_t(values.size()), .height = 1, .channels = {{channel, Sample::real, {}}}};
   for (const float value : values) image.channels[0].bits.push_back(std::bit_cast<uint32_t>(value));
   return image;
 }
 
 Image byte_image(std::vector<uint32_t> bytes) {
-  return {.format = Format::png, .width = uint32_t(bytes.size()), .height = 1, .channels = {{"R", Sample::byte, bytes}}};
+  return {
+      .format = Format::png, .width = uint32_t(bytes.size()), .height = 1, .channels = {{"R", Sample::byte, bytes}}};
 }
 
 Comparison compared(const Image& a, const Image& b, const Tolerance& tolerance = {}) {
@@ -98,7 +100,8 @@ TEST_CASE("layers choose the channels; one that neither image has is wrong usage
   CHECK(compare(a, b, {"beauty"}, exact).same);
   CHECK_FALSE(compare(a, b, {"Z"}, exact).same);
   CHECK_FALSE(compare(a, b, {"all"}, exact).same);
-  CHECK_THROWS_WITH_AS((void)compare(a, b, {"Q"}, exact), "layer Q is in neither image: choose of Z, all, beauty", UserError);
+  CHECK_THROWS_WITH_AS((void)compare(a, b, {"Q"}, exact), "layer Q is in neither image: choose of Z, all, beauty",
+                       UserError);
 }
 
 TEST_CASE("a PNG is not compared with an EXR") {
@@ -107,7 +110,8 @@ TEST_CASE("a PNG is not compared with an EXR") {
 
 TEST_CASE("the verdict names the worst pixel, channel and both values") {
   const std::string line = verdict(compared(real_image({1, 1, 1}), real_image({1, 1.01f, 1.5f})), {});
-  CHECK(line == "different: 2 of 3 pixels (66.7%) over 0.004, worst at pixel 2,0 channel R: 1 against 1.5 (difference 0.3333)");
+  CHECK(line ==
+        "different: 2 of 3 pixels (66.7%) over 0.004, worst at pixel 2,0 channel R: 1 against 1.5 (difference 0.3333)");
   CHECK(verdict(compared(real_image({1}), real_image({1})), {}) == "equal");
 }
 

@@ -17,7 +17,8 @@ struct Parsed {
   cli::RenderCommand command;
   std::vector<cli::OptionGroup> groups = cli::render_options(command);
   explicit Parsed(const std::vector<std::string>& arguments) {
-    const cli::Command table{.name = "render", .summary = {}, .positionals = {}, .groups = groups, .epilogue = {}, .run = {}};
+    const cli::Command table{
+        .name = "render", .summary = {}, .positionals = {}, .groups = groups, .epilogue = {}, .run = {}};
     const bool parsed = cli::parse(table, arguments);
     REQUIRE(parsed);
   }
@@ -82,8 +83,9 @@ TEST_CASE("the last of a repeated option wins, and repeating ones add up") {
 }
 
 TEST_CASE("values are read as they are written") {
-  const Parsed parsed({"--eye", "-12,3,0.5", "--exposure", "-1.5", "--background", "none", "--rays", "shadow", "--frames",
-                       "3..5", "--max-memory", "256", "--layers", "Z,beauty", "-o", "-", "--seed", "4294967295"});
+  const Parsed parsed({"--eye", "-12,3,0.5", "--exposure", "-1.5", "--background", "none", "--rays", "shadow",
+                       "--frames", "3..5", "--max-memory", "256", "--layers", "Z,beauty", "-o", "-", "--seed",
+                       "4294967295"});
   const cli::RenderCommand& command = parsed.command;
   CHECK(command.options.view.eye == glm::vec3(-12, 3, 0.5f));
   CHECK(command.exposure == -1.5f);
@@ -100,18 +102,60 @@ TEST_CASE("values are read as they are written") {
 }
 
 TEST_CASE("a wrong value is wrong usage: one line with the option, the value and what is allowed") {
-  const std::vector<std::pair<std::string, std::string>> wrong = {
-      {"--size", "0x0"}, {"--size", "100000x100000"}, {"--size", "640"}, {"--size", "-4x4"}, {"--size", "4x4x4"},
-      {"--size", "4 x4"}, {"--samples", "0"}, {"--samples", "1.5"}, {"--samples", "-1"}, {"--seed", "4294967296"},
-      {"--bounces", "65"}, {"--bounces", ""}, {"--fov", "nan"}, {"--fov", "180"}, {"--fov", "0"}, {"--exposure", "inf"},
-      {"--exposure", "1e99"}, {"--exposure", "1x"}, {"--exposure", " 1"}, {"--eye", "1,2"}, {"--eye", "1,2,nan"},
-      {"--eye", "1,2,3,4"}, {"--up", "0,0,0"}, {"--background", "-1,0,0"}, {"--background", "black"}, {"--rays", "shadows"},
-      {"--rays", ""}, {"--light", "1,2"}, {"--light", "1,2,3,-4"}, {"--time", "-1"}, {"--frames", "5"}, {"--frames", "5..4"},
-      {"--frames", "-1..4"}, {"--fps", "0"}, {"--algorithm", "bvh9"}, {"--key", "nokey"}, {"--key", "eye=best"},
-      {"--ray-order", "random"}, {"--compression", "yes"}, {"--nodes", "cut"}, {"--arity", "1"}, {"--arity", "65"},
-      {"--levels", "0"}, {"--levels", "shadow=9"}, {"--bound", "box"}, {"--fit", "best"}, {"--interval", "1"},
-      {"--batches", "none"}, {"--max-memory", "0"}, {"--submit-work", "65535"}, {"--layers", "depth"}, {"--progress", "bar"},
-      {"--output", "a.jpg"}, {"--output", "{frame:x}.png"}};
+  const std::vector<std::pair<std::string, std::string>> wrong = {{"--size", "0x0"},
+                                                                  {"--size", "100000x100000"},
+                                                                  {"--size", "640"},
+                                                                  {"--size", "-4x4"},
+                                                                  {"--size", "4x4x4"},
+                                                                  {"--size", "4 x4"},
+                                                                  {"--samples", "0"},
+                                                                  {"--samples", "1.5"},
+                                                                  {"--samples", "-1"},
+                                                                  {"--seed", "4294967296"},
+                                                                  {"--bounces", "65"},
+                                                                  {"--bounces", ""},
+                                                                  {"--fov", "nan"},
+                                                                  {"--fov", "180"},
+                                                                  {"--fov", "0"},
+                                                                  {"--exposure", "inf"},
+                                                                  {"--exposure", "1e99"},
+                                                                  {"--exposure", "1x"},
+                                                                  {"--exposure", " 1"},
+                                                                  {"--eye", "1,2"},
+                                                                  {"--eye", "1,2,nan"},
+                                                                  {"--eye", "1,2,3,4"},
+                                                                  {"--up", "0,0,0"},
+                                                                  {"--background", "-1,0,0"},
+                                                                  {"--background", "black"},
+                                                                  {"--rays", "shadows"},
+                                                                  {"--rays", ""},
+                                                                  {"--light", "1,2"},
+                                                                  {"--light", "1,2,3,-4"},
+                                                                  {"--time", "-1"},
+                                                                  {"--frames", "5"},
+                                                                  {"--frames", "5..4"},
+                                                                  {"--frames", "-1..4"},
+                                                                  {"--fps", "0"},
+                                                                  {"--algorithm", "bvh9"},
+                                                                  {"--key", "nokey"},
+                                                                  {"--key", "eye=best"},
+                                                                  {"--ray-order", "random"},
+                                                                  {"--compression", "yes"},
+                                                                  {"--nodes", "cut"},
+                                                                  {"--arity", "1"},
+                                                                  {"--arity", "65"},
+                                                                  {"--levels", "0"},
+                                                                  {"--levels", "shadow=9"},
+                                                                  {"--bound", "box"},
+                                                                  {"--fit", "best"},
+                                                                  {"--interval", "1"},
+                                                                  {"--batches", "none"},
+                                                                  {"--max-memory", "0"},
+                                                                  {"--submit-work", "65535"},
+                                                                  {"--layers", "depth"},
+                                                                  {"--progress", "bar"},
+                                                                  {"--output", "a.jpg"},
+                                                                  {"--output", "{frame:x}.png"}};
   for (const auto& [option, value] : wrong) {
     CAPTURE(option);
     CAPTURE(value);
@@ -151,7 +195,8 @@ TEST_CASE("effective options hold every value, and the attributes those that cha
   const auto pixels = cli::effective_options(parsed.groups, true);
   CHECK(pixels.contains("bounces"));
   CHECK(pixels.contains("rays"));
-  for (const char* name : {"algorithm", "key", "exposure", "device", "stats", "max-memory"}) CHECK_FALSE(pixels.contains(name));
+  for (const char* name : {"algorithm", "key", "exposure", "device", "stats", "max-memory"})
+    CHECK_FALSE(pixels.contains(name));
 }
 
 TEST_CASE("an effective value, given again, changes nothing") {

@@ -43,7 +43,8 @@ TEST_CASE("an EXR gives back every value: the beauty as half, the other layers a
 }
 
 TEST_CASE("only the layers that were asked for are written") {
-  const Image image = decode_exr(encode_exr(test::varied_picture(4, 4), std::vector<std::string>{"Z"}, {}).bytes, "name");
+  const Image image =
+      decode_exr(encode_exr(test::varied_picture(4, 4), std::vector<std::string>{"Z"}, {}).bytes, "name");
   CHECK(image.channels.size() == 1);
   CHECK(image.find("Z"));
 }
@@ -91,7 +92,8 @@ TEST_CASE("the header holds matrices and options, and no path, date, time or dev
 TEST_CASE("every way to break an EXR is an error with its name, not a crash") {
   const std::string whole = encode_exr(test::varied_picture(40, 40), all_layers, {}).bytes;
   for (size_t length = 4; length < whole.size(); length += 97)
-    CHECK_THROWS_WITH_AS((void)decode_exr(whole.substr(0, length), "half.exr"), doctest::Contains("half.exr: broken"), UserError);
+    CHECK_THROWS_WITH_AS((void)decode_exr(whole.substr(0, length), "half.exr"), doctest::Contains("half.exr: broken"),
+                         UserError);
   for (size_t place = 4; place < 1200; ++place) {
     std::string broken = whole;
     broken[place] = static_cast<char>(~broken[place]);
@@ -108,7 +110,8 @@ TEST_CASE("an image is told by its first bytes, not by its name") {
   write_exr(folder / "picture.png", test::varied_picture(3, 2), all_layers, {});
   CHECK(read_image(folder / "picture.png").format == Format::exr);
   write_whole(folder / "text.exr", "hello");
-  CHECK_THROWS_WITH_AS((void)read_image(folder / "text.exr"), doctest::Contains("not an OpenEXR or PNG image"), UserError);
+  CHECK_THROWS_WITH_AS((void)read_image(folder / "text.exr"), doctest::Contains("not an OpenEXR or PNG image"),
+                       UserError);
   write_whole(folder / "empty.exr", "");
   CHECK_THROWS_WITH_AS((void)read_image(folder / "empty.exr"), doctest::Contains("an empty file"), UserError);
   CHECK_THROWS_WITH_AS((void)read_image(folder / "none.exr"), doctest::Contains("No such file"), UserError);

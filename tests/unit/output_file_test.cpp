@@ -88,7 +88,8 @@ TEST_CASE("a program that is stopped by a signal leaves no file, and its end sho
 TEST_CASE("a full disk is an error, and no file") {
   const test::TemporaryFolder folder;
   fs::create_symlink("/dev/full", folder / "full.png");
-  CHECK_THROWS_WITH_AS(write_whole(folder / "full.png", "bytes"), Contains("full.png: cannot be written (No space left"), UserError);
+  CHECK_THROWS_WITH_AS(write_whole(folder / "full.png", "bytes"),
+                       Contains("full.png: cannot be written (No space left"), UserError);
 }
 
 TEST_CASE("a file that grows beyond what it may is an error, and no file") {
@@ -116,7 +117,8 @@ TEST_CASE("a place that cannot be written to is known before, with the reason, a
   CHECK_THROWS_WITH_AS(check_writable(folder.path()), Contains("is a folder: name a file in it"), UserError);
   write_whole(folder / "file", "");
   CHECK_THROWS_WITH_AS(check_writable(folder / "file/picture.png"), Contains("Not a directory"), UserError);
-  CHECK_THROWS_WITH_AS(check_writable(folder / (std::string(300, 'x') + ".png")), Contains("File name too long"), UserError);
+  CHECK_THROWS_WITH_AS(check_writable(folder / (std::string(300, 'x') + ".png")), Contains("File name too long"),
+                       UserError);
   CHECK_THROWS_WITH_AS(check_writable("/proc/crsh.png"), Contains("/proc/crsh.png: cannot be written"), UserError);
   CHECK_NOTHROW(check_writable(folder / "picture.png"));
   CHECK_NOTHROW(check_writable("/dev/null"));
@@ -138,7 +140,8 @@ TEST_CASE("{frame} is the frame's number in four digits, {frame:N} in N, in more
   CHECK(PathPattern("{braces}.png").at(1) == "{braces}.png");
   CHECK(PathPattern("a{frame}.png").has_frame());
   CHECK_FALSE(PathPattern("a.png").has_frame());
-  for (const char* wrong : {"{frame:0}.png", "{frame:x}.png", "{frame:}.png", "{frame.png", "{frames}.png", "{frame:12}.png"})
+  for (const char* wrong :
+       {"{frame:0}.png", "{frame:x}.png", "{frame:}.png", "{frame.png", "{frames}.png", "{frame:12}.png"})
     CHECK_THROWS_AS(PathPattern{wrong}, UserError);
 }
 
@@ -146,7 +149,8 @@ TEST_CASE("the end of a path is its format") {
   CHECK(PathPattern("a.exr").format() == Format::exr);
   CHECK(PathPattern("a.PNG").format() == Format::png);
   CHECK(PathPattern("-").to_stdout());
-  for (const char* wrong : {"", "a", "a.jpg", "exr", ".png/", "a.png.bak"}) CHECK_THROWS_AS(PathPattern{wrong}, UserError);
+  for (const char* wrong : {"", "a", "a.jpg", "exr", ".png/", "a.png.bak"})
+    CHECK_THROWS_AS(PathPattern{wrong}, UserError);
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ namespace crsh::output {
 namespace {
 
 /// The bytes of the first pixel after a round trip, by channel.
-uint32_t byte(const std::string& png, std::string_view channel) { return decode_png(png, "name").find(channel)->bits[0]; }
+uint32_t byte(const std::string& png, std::string_view channel) {
+  return decode_png(png, "name").find(channel)->bits[0];
+}
 
 std::string encode(const Picture& picture, double exposure = 0) {
   return encode_png(picture.layers[0], picture.width, picture.height, exposure);
@@ -74,7 +76,8 @@ TEST_CASE("rows run from the top") {
 TEST_CASE("a broken PNG is an error with its name") {
   const std::string whole = encode(test::varied_picture(40, 40));
   for (const size_t length : {size_t(8), size_t(20), size_t(33), whole.size() / 2})
-    CHECK_THROWS_WITH_AS((void)decode_png(whole.substr(0, length), "half.png"), doctest::Contains("half.png: broken"), UserError);
+    CHECK_THROWS_WITH_AS((void)decode_png(whole.substr(0, length), "half.png"), doctest::Contains("half.png: broken"),
+                         UserError);
 }
 
 TEST_CASE("a well exposed picture needs no advice") {

@@ -27,7 +27,8 @@ TEST_CASE("paper_tests are all levels' and the exact ones, total_tests the objec
 }
 
 nlohmann::ordered_json json_of(const Statistics& statistics) {
-  output::RunDescription run{.command = {"crsh", "render"}, .scene = "a.glb", .width = 4, .height = 3, .algorithm = "rah"};
+  output::RunDescription run{
+      .command = {"crsh", "render"}, .scene = "a.glb", .width = 4, .height = 3, .algorithm = "rah"};
   run.options = {{"bounces", 4}};
   run.device.name = "device";
   run.world_to_camera[3] = {0, 0, 5, 1};
