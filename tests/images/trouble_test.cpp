@@ -92,10 +92,10 @@ TEST_CASE("the least memory that a refusal names is enough, and changes no pictu
   const char* scene = "glass";
   for (const char* algorithm : {"rah", "crsh-2017"}) {
     CAPTURE(std::string(algorithm));
-    const std::string message = refusal(4, scene, algorithm);
+    const std::string message = refusal(2, scene, algorithm);
     CAPTURE(message);
     const uint64_t least = named_minimum(message);
-    REQUIRE(least > 4);
+    REQUIRE(least > 2);
     gpu::DeviceRequest request = device_request();
     request.memory_budget = least << 20;
     const Rendered frugal = troubled(request, scene, algorithm, small()), usual = troubled(device_request(), scene, algorithm, small());
