@@ -34,7 +34,8 @@ std::vector<shared::Ray> wide_rays(Random& random, size_t count) {
 std::vector<shared::Ray> nearly_equal_rays(Random& random, size_t count) {
   const glm::vec3 from = random.point(100), to = random.point(100);
   std::vector<shared::Ray> rays;
-  while (rays.size() < count) rays.push_back(ray_between(from + random.point(1e-6f), to + random.point(1e-4f), shared::kind_shadow));
+  while (rays.size() < count)
+    rays.push_back(ray_between(from + random.point(1e-6f), to + random.point(1e-4f), shared::kind_shadow));
   return rays;
 }
 
@@ -42,13 +43,14 @@ Lists ray_lists(uint32_t seed) {
   Random random(seed);
   const std::vector<Triangle> targets = hard_triangles(random, 100);
   return {light_rays(random, targets, 400), nearly_equal_rays(random, 200), wide_rays(random, 400),
-          mirror_rays(random, targets, 400, shared::kind_reflection), stray_rays(random, targets, 400, shared::kind_refraction)};
+          mirror_rays(random, targets, 400, shared::kind_reflection),
+          stray_rays(random, targets, 400, shared::kind_refraction)};
 }
 
 struct Built {
   SortedBatch rays;
-  std::vector<std::vector<Bound>> bounds;               ///< a level, a node
-  std::vector<std::vector<glm::uvec2>> children, under; ///< a level, a node: children, and rays
+  std::vector<std::vector<Bound>> bounds;                ///< a level, a node
+  std::vector<std::vector<glm::uvec2>> children, under;  ///< a level, a node: children, and rays
 };
 
 Built build(const Lists& lists, uint32_t arity, Fit fit, bool narrow = false) {
@@ -62,7 +64,8 @@ Built build(const Lists& lists, uint32_t arity, Fit fit, bool narrow = false) {
   hierarchy::build(recorder, {built.rays.sorted, built.rays.batch.segments, options, narrow}, hierarchy);
   for (const hierarchy::Level& level : hierarchy.levels) {
     std::vector<Bound> bounds;
-    for (const shared::Node& node : recorder.read<shared::Node>(level.nodes, level.count)) bounds.push_back(bound_of(node));
+    for (const shared::Node& node : recorder.read<shared::Node>(level.nodes, level.count))
+      bounds.push_back(bound_of(node));
     built.bounds.push_back(std::move(bounds));
     built.children.push_back(recorder.read<glm::uvec2>(level.children, level.count));
     built.under.push_back(recorder.read<glm::uvec2>(level.rays, level.count));

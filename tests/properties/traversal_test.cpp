@@ -35,7 +35,9 @@ std::vector<Object> hard_objects(Random& random) {
           {.triangles = hard_triangles(random, 40), .transmissive = true},
           {.triangles = hard_triangles(random, 40), .single_sided = true},
           {.triangles = closed_mesh(1, random.point(1), 0.7f), .transform = placed(random, glm::vec3(0.3f))},
-          {.triangles = closed_mesh(1, glm::vec3(0), 0.5f), .transform = placed(random, {3, 0.02f, 1}), .transmissive = true},
+          {.triangles = closed_mesh(1, glm::vec3(0), 0.5f),
+           .transform = placed(random, {3, 0.02f, 1}),
+           .transmissive = true},
           {.triangles = hard_triangles(random, 33), .transform = placed(random, {-1, 0.1f, 2}), .single_sided = true},
           {.triangles = {}},
           {.triangles = {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}}};
@@ -51,7 +53,8 @@ using Lists = std::vector<std::vector<shared::Ray>>;
 /// Two lights, stray shadow rays, two mirrors and stray rays behind them, refraction.
 Lists ray_lists(Random& random, const std::vector<Triangle>& triangles, size_t count) {
   Lists lists = {light_rays(random, triangles, count), light_rays(random, triangles, count / 3),
-                 stray_rays(random, triangles, count / 2, shared::kind_shadow), mirror_rays(random, triangles, count, shared::kind_reflection)};
+                 stray_rays(random, triangles, count / 2, shared::kind_shadow),
+                 mirror_rays(random, triangles, count, shared::kind_reflection)};
   const auto more = mirror_rays(random, triangles, count / 2, shared::kind_reflection);
   lists[3].insert(lists[3].end(), more.begin(), more.end());
   lists.push_back(stray_rays(random, triangles, count, shared::kind_refraction));
@@ -102,9 +105,11 @@ TEST_CASE("an object's sphere holds its triangles' spheres, also where a mesh is
     Random random(seed);
     const glm::vec3 modelled = random.unit() * random.scale(1, 1e5f);
     glm::mat4 transform = placed(random, seed % 2 ? glm::vec3(1) : glm::vec3(-1, 0.3f, 2));
-    if (seed % 4 < 2) transform[3] = glm::vec4(-glm::vec3(transform * glm::vec4(modelled, 0)), 1);  // back to the origin
+    if (seed % 4 < 2)
+      transform[3] = glm::vec4(-glm::vec3(transform * glm::vec4(modelled, 0)), 1);  // back to the origin
     const std::vector<Triangle> triangle = {{modelled, modelled + random.unit(), modelled + random.unit()}};
-    const scene::GpuScene scene = make_scene(recorder, {{seed % 3 ? triangle : closed_mesh(0, modelled, 0.5f), transform}});
+    const scene::GpuScene scene =
+        make_scene(recorder, {{seed % 3 ? triangle : closed_mesh(0, modelled, 0.5f), transform}});
     const glm::vec4 object = recorder.read<glm::vec4>(scene.object_spheres, 1)[0];
     double outside = 0;
     for (const glm::vec4& own : recorder.read<glm::vec4>(scene.triangle_spheres, scene.triangle_count))
@@ -140,7 +145,8 @@ TEST_CASE("two runs give the same pairs in the same order, and the same counters
   const World world = make_world(tracer, 5);
   for (const uint32_t levels : {1u, 3u}) {
     const TraceOptions options{algorithm(8, levels)};
-    const Traced first = tracer.trace(world.scene, world.rays, options), second = tracer.trace(world.scene, world.rays, options);
+    const Traced first = tracer.trace(world.scene, world.rays, options),
+                 second = tracer.trace(world.scene, world.rays, options);
     CHECK(same_pairs(first.pairs, second.pairs));
     CHECK(first.counters == second.counters);
     CHECK(first.hits == second.hits);
@@ -171,7 +177,8 @@ TEST_CASE("with every 10,000th pair dropped a hit is lost") {
   std::vector<shared::Ray> rays;
   for (uint32_t i = 0; i < 80'000; ++i) {
     const glm::vec3 inside = apart[i / 2 % 64].a + glm::vec3(0.02f);
-    rays.push_back(ray_between(inside + glm::vec3(0, 0, random.uniform(0.5f, 1)), inside - glm::vec3(0, 0, 1), shared::kind_reflection));
+    rays.push_back(ray_between(inside + glm::vec3(0, 0, random.uniform(0.5f, 1)), inside - glm::vec3(0, 0, 1),
+                               shared::kind_reflection));
   }
   const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = apart}});
   const SortedBatch batch = make_batch(test::device(), {rays});

@@ -95,16 +95,20 @@ Read built(const SortedBatch& batch, const AlgorithmOptions& options) {
 bool agrees(const Bound& device, const Bound& exact, double size) {
   const double error = 4e-6 * size;
   const bool sphere = glm::distance(device.centre, exact.centre) <= error &&
-                      device.radius >= exact.radius * (1 - 1e-6) - error && device.radius <= exact.radius * (1 + 1e-4) + 10 * error;
+                      device.radius >= exact.radius * (1 - 1e-6) - error &&
+                      device.radius <= exact.radius * (1 + 1e-4) + 10 * error;
   if (exact.angle > 1.5) return sphere;  // beyond the paper's equations
-  return sphere && std::abs(device.angle - exact.angle) <= 1e-4 * exact.angle + 1e-5 && angle_between(device.axis, exact.axis) <= 1e-5 + 1e-4 * exact.angle;
+  return sphere && std::abs(device.angle - exact.angle) <= 1e-4 * exact.angle + 1e-5 &&
+         angle_between(device.axis, exact.axis) <= 1e-5 + 1e-4 * exact.angle;
 }
 
-std::vector<Bound> merged_level(const TwinLevel& level, const std::vector<shared::Ray>& rays, const std::vector<Bound>* below) {
+std::vector<Bound> merged_level(const TwinLevel& level, const std::vector<shared::Ray>& rays,
+                                const std::vector<Bound>* below) {
   std::vector<Bound> bounds;
   for (const glm::uvec2& children : level.children) {
     Bound bound = below ? (*below)[children.x] : bound_of(rays[children.x]);
-    for (uint32_t i = children.x + 1; i < children.y; ++i) bound = below ? merged(bound, (*below)[i]) : merged(bound, rays[i]);
+    for (uint32_t i = children.x + 1; i < children.y; ++i)
+      bound = below ? merged(bound, (*below)[i]) : merged(bound, rays[i]);
     bounds.push_back(bound);
   }
   return bounds;
@@ -112,7 +116,8 @@ std::vector<Bound> merged_level(const TwinLevel& level, const std::vector<shared
 
 std::vector<Bound> fitted_level(const TwinLevel& level, const std::vector<shared::Ray>& rays) {
   std::vector<Bound> bounds;
-  for (const glm::uvec2& range : level.rays) bounds.push_back(fitted(std::span(rays).subspan(range.x, range.y - range.x)));
+  for (const glm::uvec2& range : level.rays)
+    bounds.push_back(fitted(std::span(rays).subspan(range.x, range.y - range.x)));
   return bounds;
 }
 
@@ -159,7 +164,8 @@ TEST_CASE("the children of a run of nodes are those of its nodes together") {
     for (uint32_t first = 0; first < hierarchy.levels[l].count; ++first)
       for (uint32_t end = first + 1; end <= hierarchy.levels[l].count; ++end) {
         const hierarchy::Range children = hierarchy.levels[l].children_of({first, end - first});
-        REQUIRE(glm::uvec2(children.first, children.end()) == glm::uvec2(twin[l].children[first].x, twin[l].children[end - 1].y));
+        REQUIRE(glm::uvec2(children.first, children.end()) ==
+                glm::uvec2(twin[l].children[first].x, twin[l].children[end - 1].y));
       }
 }
 

@@ -39,7 +39,8 @@ inline std::vector<TwinLevel> twin_levels(const std::vector<rays::Segment>& segm
         if (!wanted || i % options.arity) continue;
         const uint32_t child = first + i, end = first + std::min(i + options.arity, count);
         level.children.emplace_back(child, end);
-        level.rays.emplace_back(number == 1 ? glm::uvec2(child, end) : glm::uvec2(levels.back().rays[child].x, levels.back().rays[end - 1].y));
+        level.rays.emplace_back(number == 1 ? glm::uvec2(child, end)
+                                            : glm::uvec2(levels.back().rays[child].x, levels.back().rays[end - 1].y));
         ++counts[s];
       }
       first += count;

@@ -42,47 +42,56 @@ std::vector<Trial> trials(uint32_t seed, uint32_t count) {
   gpu::Recorder recorder(device());
   const std::vector<Triangle> all = hard_triangles(random, count);
   const auto middle = all.begin() + count / 2;
-  const scene::GpuScene scene = make_scene(recorder, {{.triangles = {all.begin(), middle}}, {.triangles = {middle, all.end()}, .single_sided = true}});
+  const scene::GpuScene scene = make_scene(
+      recorder, {{.triangles = {all.begin(), middle}}, {.triangles = {middle, all.end()}, .single_sided = true}});
   const std::vector<Triangle> triangles = world_triangles(recorder, scene);
   std::vector<Trial> trials;
   const gpu::Buffer counters(device(), 16, "counters");
   for (uint32_t i = 0; i < count; ++i) {
     Trial trial{triangles[i], i >= count / 2, aimed_rays(random, triangles[i]), {}};
     const gpu::Buffer rays = gpu::upload(device(), trial.rays, "rays");
-    const gpu::Buffer hits = gpu::upload(device(), std::vector<glm::uvec4>(rays_a_triangle, {std::bit_cast<uint32_t>(INFINITY), shared::none, 0, 0}), "hits");
+    const gpu::Buffer hits = gpu::upload(
+        device(), std::vector<glm::uvec4>(rays_a_triangle, {std::bit_cast<uint32_t>(INFINITY), shared::none, 0, 0}),
+        "hits");
     const struct {
       uint32_t first_ray, ray_count, first_triangle, triangle_count, counter;
     } push{0, rays_a_triangle, i, 1, 0};
-    recorder.dispatch("intersection/brute", rays_a_triangle, push, {scene.corner_a, scene.corner_b, scene.corner_c, scene.materials, hits, rays, counters});
+    recorder.dispatch("intersection/brute", rays_a_triangle, push,
+                      {scene.corner_a, scene.corner_b, scene.corner_c, scene.materials, hits, rays, counters});
     trial.hits = recorder.read<glm::uvec4>(hits, rays_a_triangle);
     trials.push_back(std::move(trial));
   }
   return trials;
 }
 
-/// In double precision (Möller and Trumbore 1997), where the case is clear: nothing near an edge, an end or the plane.
+/// In double precision, where the case is clear: the triangle fat and seen well, nothing near an edge or an end.
 std::optional<Meeting> clear_meeting(const shared::Ray& ray, const Triangle& triangle) {
-  const glm::dvec3 origin(ray.origin), direction(ray.direction), a(triangle.a), ab = glm::dvec3(triangle.b) - a, ac = glm::dvec3(triangle.c) - a;
-  const glm::dvec3 normal = glm::cross(ab, ac), from_a = origin - a;
-  const double area = glm::length(normal), size = std::max(glm::length(ab), glm::length(ac)), reach = glm::length(from_a) + size;
-  const double towards = glm::dot(direction, normal);
+  const glm::dvec3 origin(ray.origin), direction(ray.direction), a(triangle.a);
+  const glm::dvec3 ab = glm::dvec3(triangle.b) - a, ac = glm::dvec3(triangle.c) - a, normal = glm::cross(ab, ac);
+  const double area = glm::length(normal), size = std::max(glm::length(ab), glm::length(ac));
+  const double reach = glm::distance(origin, a) + size, towards = glm::dot(direction, normal);
   if (area < 1e-2 * size * size || std::abs(towards) < 0.05 * area || size < 1e-2 * (reach + glm::length(a))) return {};
-  const double u = -glm::dot(direction, glm::cross(from_a, ac)) / towards * -1, v = -glm::dot(direction, glm::cross(ab, from_a)) / towards * -1;
-  const double t = -glm::dot(from_a, normal) / towards, margin = 1e-3;
-  const auto unclear = [&](double x) { return std::abs(x) < margin; };
-  if (unclear(u) || unclear(v) || unclear(1 - u - v) || std::abs(t) < margin * reach || std::abs(t - ray.origin.w) < margin * reach) return {};
+  const double t = glm::dot(a - origin, normal) / towards;
+  const glm::dvec3 from_a = origin + direction * t - a;
+  const double u = glm::dot(glm::cross(from_a, ac), normal) / (area * area);
+  const double v = glm::dot(glm::cross(ab, from_a), normal) / (area * area);
+  constexpr double margin = 1e-3;
+  const bool near_edge = std::min({std::abs(u), std::abs(v), std::abs(1 - u - v)}) < margin;
+  if (near_edge || std::abs(t) < margin * reach || std::abs(t - ray.origin.w) < margin * reach) return {};
   return Meeting{u > 0 && v > 0 && u + v < 1 && t > 0 && t < ray.origin.w, float(t)};
 }
 
 /// The closest hit or the sum of transmittances, as shaders/intersection/meet.glsl has them.
-glm::uvec4 twin_hit(const shared::Ray& ray, const std::vector<Triangle>& triangles, uint32_t opaque, const glm::uvec4& tint) {
+glm::uvec4 twin_hit(const shared::Ray& ray, const std::vector<Triangle>& triangles, uint32_t opaque,
+                    const glm::uvec4& tint) {
   const bool shadow = ray.direction.w == float(shared::kind_shadow);
   glm::uvec4 hit = shadow ? glm::uvec4(0) : glm::uvec4(std::bit_cast<uint32_t>(INFINITY), shared::none, 0, 0);
   for (uint32_t i = 0; i < triangles.size(); ++i) {
     const Meeting met = hit_triangle(ray, triangles[i], false);
     if (!met.hit) continue;
     if (shadow)
-      for (int c = 0; c < 3; ++c) hit[c] = uint32_t(std::min<uint64_t>(uint64_t(hit[c]) + (i < opaque ? UINT32_MAX : tint[c]), UINT32_MAX));
+      for (int c = 0; c < 3; ++c)
+        hit[c] = uint32_t(std::min<uint64_t>(uint64_t(hit[c]) + (i < opaque ? UINT32_MAX : tint[c]), UINT32_MAX));
     else if (met.t < std::bit_cast<float>(hit.x)) hit = {std::bit_cast<uint32_t>(met.t), i, 0, 0};
   }
   return hit;
@@ -125,12 +134,14 @@ TEST_CASE("a closest hit goes to the lower triangle on a tie, and shadows add up
   const std::vector<Triangle> opaque = {{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
   const std::vector<Triangle> glass = {{{-2, -2, 1}, {2, -2, 1}, {0, 2, 1}}, {{-2, -2, 2}, {2, -2, 2}, {0, 2, 2}}};
   Tracer tracer(device());
-  const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = opaque}, {.triangles = glass, .transmissive = true}});
+  const scene::GpuScene scene =
+      make_scene(tracer.recorder(), {{.triangles = opaque}, {.triangles = glass, .transmissive = true}});
   const std::vector<Triangle> triangles = world_triangles(tracer.recorder(), scene);
   const glm::uvec4 tint = tracer.recorder().read<shared::Material>(scene.materials, 2)[1].tint;
   REQUIRE(tint.x > 0);
-  const SortedBatch rays = make_batch(device(), {light_rays(random, triangles, 500), stray_rays(random, triangles, 500, shared::kind_shadow),
-                                                 stray_rays(random, triangles, 500, shared::kind_reflection)});
+  const SortedBatch rays =
+      make_batch(device(), {light_rays(random, triangles, 500), stray_rays(random, triangles, 500, shared::kind_shadow),
+                            stray_rays(random, triangles, 500, shared::kind_reflection)});
   const Traced all = tracer.trace_all(scene, rays);
   uint32_t different = 0, tinted = 0;
   for (uint32_t i = 0; i < rays.batch.count; ++i) {
@@ -146,8 +157,10 @@ TEST_CASE("brute force counts rays times triangles, also past 65,535 triangles a
   Tracer tracer(device());
   const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = wall(188)}});
   Random random(4);
-  const SortedBatch rays = make_batch(device(), {mirror_rays(random, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}}, 50, shared::kind_reflection), {},
-                                                 stray_rays(random, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}}, 7, shared::kind_refraction)});
+  const SortedBatch rays =
+      make_batch(device(), {mirror_rays(random, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}}, 50, shared::kind_reflection),
+                            {},
+                            stray_rays(random, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}}, 7, shared::kind_refraction)});
   const Traced large = tracer.trace_all(scene, rays), small = tracer.trace_all(scene, rays, 1 << 16);
   for (const Traced* traced : {&large, &small}) {
     CHECK(traced->counter(shared::kind_reflection, shared::counter_triangle_tests) == 50ull * scene.triangle_count);

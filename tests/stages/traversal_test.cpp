@@ -35,7 +35,8 @@ std::vector<Object> objects() {
 
 std::vector<std::vector<shared::Ray>> ray_lists(const std::vector<Triangle>& triangles) {
   Random random(12);
-  return {light_rays(random, triangles, 517), light_rays(random, triangles, 64), mirror_rays(random, triangles, 700, shared::kind_reflection),
+  return {light_rays(random, triangles, 517), light_rays(random, triangles, 64),
+          mirror_rays(random, triangles, 700, shared::kind_reflection),
           stray_rays(random, triangles, 129, shared::kind_refraction)};
 }
 
@@ -85,7 +86,8 @@ gpu::DeviceRequest request() {
 }
 
 std::vector<AlgorithmOptions> several_algorithms() {
-  std::vector<AlgorithmOptions> all = {algorithm(8, {2, 2, 2}), algorithm(8, {1, 3, 2}), algorithm(2, {5, 4, 1}), algorithm(64, {2, 1, 2}), algorithm(3, {2, 5, 3})};
+  std::vector<AlgorithmOptions> all = {algorithm(8, {2, 2, 2}), algorithm(8, {1, 3, 2}), algorithm(2, {5, 4, 1}),
+                                       algorithm(64, {2, 1, 2}), algorithm(3, {2, 5, 3})};
   all[1].fit = Fit::merged;
   all[2].interval = false;
   all[3].mesh_culling = false;
@@ -117,7 +119,8 @@ TEST_CASE("whole nodes below two levels: level-1 tests are arity times level-2 h
   const uint64_t hits = traced.counter(shared::kind_shadow, shared::counter_level_hits + 1);
   CHECK(hits > 0);
   CHECK(traced.counter(shared::kind_shadow, shared::counter_level_tests) == 8 * hits);
-  CHECK(traced.counter(shared::kind_shadow, shared::counter_triangle_tests) == 8 * traced.counter(shared::kind_shadow, shared::counter_level_hits));
+  CHECK(traced.counter(shared::kind_shadow, shared::counter_triangle_tests) ==
+        8 * traced.counter(shared::kind_shadow, shared::counter_level_hits));
 }
 
 TEST_CASE("buffers that begin with 1 or 64 bytes give the same pairs, counters and hits") {

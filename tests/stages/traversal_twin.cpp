@@ -9,7 +9,8 @@ class Descent {
 
   Walk run(uint32_t depth, hierarchy::Range nodes) {
     walk_.levels.resize(depth);
-    for (uint32_t node = nodes.first; node < nodes.end(); ++node) go_down(depth - 1, node, triangles_of_met_objects(depth - 1, node));
+    for (uint32_t node = nodes.first; node < nodes.end(); ++node)
+      go_down(depth - 1, node, triangles_of_met_objects(depth - 1, node));
     return std::move(walk_);
   }
 

@@ -18,8 +18,8 @@ struct WalkIn {
   bool interval = true, mesh_culling = true;
 };
 
-[[nodiscard]] WalkIn read_for_walk(gpu::Recorder& recorder, const hierarchy::Hierarchy& hierarchy, const scene::GpuScene& scene,
-                                   const AlgorithmOptions& options);
+[[nodiscard]] WalkIn read_for_walk(gpu::Recorder& recorder, const hierarchy::Hierarchy& hierarchy,
+                                   const scene::GpuScene& scene, const AlgorithmOptions& options);
 
 struct LevelCounts {
   uint64_t tests = 0, hits = 0;
@@ -28,7 +28,7 @@ struct LevelCounts {
 struct Walk {
   std::vector<shared::HitPair> pairs;  ///< level 1, node-major
   uint64_t mesh_tests = 0;
-  std::vector<LevelCounts> levels;     ///< levels[0] is level 1
+  std::vector<LevelCounts> levels;  ///< levels[0] is level 1
 };
 
 /// Nodes [first, end) of level `depth` downwards.

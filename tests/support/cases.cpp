@@ -82,11 +82,11 @@ std::vector<Triangle> hard_triangles(Random& random, size_t count) {
 
 std::vector<Triangle> closed_mesh(uint32_t splits, const vec3& centre, float radius) {
   const float g = 1.6180340f;
-  std::vector<vec3> corners = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                               {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  std::vector<glm::uvec3> faces = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                                   {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  std::vector<vec3> corners = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                               {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  std::vector<glm::uvec3> faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                                   {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   for (uint32_t split = 0; split < splits; ++split) {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> known;
     const auto between = [&](uint32_t a, uint32_t b) {
@@ -109,7 +109,9 @@ std::vector<Triangle> closed_mesh(uint32_t splits, const vec3& centre, float rad
 
 std::vector<Triangle> wall(uint32_t n) {
   std::vector<Triangle> triangles;
-  const auto corner = [&](uint32_t x, uint32_t y) { return vec3(2 * float(x) / float(n) - 1, 2 * float(y) / float(n) - 1, 0); };
+  const auto corner = [&](uint32_t x, uint32_t y) {
+    return vec3(2 * float(x) / float(n) - 1, 2 * float(y) / float(n) - 1, 0);
+  };
   for (uint32_t y = 0; y < n; ++y)
     for (uint32_t x = 0; x < n; ++x) {
       triangles.push_back({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
@@ -139,11 +141,13 @@ std::vector<shared::Ray> light_rays(Random& random, const std::vector<Triangle>&
   const vec3 light = random.unit() * random.scale(0.5f, 1e3f);
   std::vector<shared::Ray> rays;
   while (rays.size() < count)
-    rays.push_back(ray_between(light, place_on(random, any_of(random, triangles)), shared::kind_shadow, some_reach(random)));
+    rays.push_back(
+        ray_between(light, place_on(random, any_of(random, triangles)), shared::kind_shadow, some_reach(random)));
   return rays;
 }
 
-std::vector<shared::Ray> mirror_rays(Random& random, const std::vector<Triangle>& triangles, size_t count, uint32_t kind) {
+std::vector<shared::Ray> mirror_rays(Random& random, const std::vector<Triangle>& triangles, size_t count,
+                                     uint32_t kind) {
   const vec3 middle = random.point(2);
   const float spread = random.scale(1e-4f, 1);
   std::vector<shared::Ray> rays;
@@ -154,14 +158,17 @@ std::vector<shared::Ray> mirror_rays(Random& random, const std::vector<Triangle>
   return rays;
 }
 
-std::vector<shared::Ray> stray_rays(Random& random, const std::vector<Triangle>& triangles, size_t count, uint32_t kind) {
+std::vector<shared::Ray> stray_rays(Random& random, const std::vector<Triangle>& triangles, size_t count,
+                                    uint32_t kind) {
   std::vector<shared::Ray> rays;
   while (rays.size() < count) {
     const Triangle& triangle = any_of(random, triangles);
     const vec3 place = place_on(random, triangle);
     const float distance = random.scale(0.1f, 100) * size_of(triangle);
     switch (random.below(3)) {
-      case 0: rays.push_back(ray_between(place - along_plane(random, triangle) * distance, place, kind, some_reach(random))); break;
+      case 0:
+        rays.push_back(ray_between(place - along_plane(random, triangle) * distance, place, kind, some_reach(random)));
+        break;
       case 1: rays.push_back(ray_between(place + random.unit() * distance, place, kind, some_reach(random))); break;
       default: rays.push_back(ray_between(random.point(3), random.point(3), kind, some_reach(random))); break;
     }

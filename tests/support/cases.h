@@ -18,7 +18,9 @@ class Random {
   [[nodiscard]] float uniform(float low, float high) { return low + (high - low) * float(engine_() >> 8) * 0x1p-24f; }
   /// Evenly over the orders of magnitude.
   [[nodiscard]] float scale(float low, float high);
-  [[nodiscard]] glm::vec3 point(float size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+  [[nodiscard]] glm::vec3 point(float size) {
+    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
+  }
   [[nodiscard]] glm::vec3 unit();
 
  private:
@@ -44,8 +46,10 @@ class Random {
 /// Rays of one light: one origin, aimed at the triangles, ending before, just behind or far behind them.
 [[nodiscard]] std::vector<shared::Ray> light_rays(Random& random, const std::vector<Triangle>& triangles, size_t count);
 /// Rays as off a mirror: neighbouring origins, aimed at and about the triangles, without end.
-[[nodiscard]] std::vector<shared::Ray> mirror_rays(Random& random, const std::vector<Triangle>& triangles, size_t count, uint32_t kind);
+[[nodiscard]] std::vector<shared::Ray> mirror_rays(Random& random, const std::vector<Triangle>& triangles, size_t count,
+                                                   uint32_t kind);
 /// Rays from anywhere: aimed at triangles, along their planes, and at random.
-[[nodiscard]] std::vector<shared::Ray> stray_rays(Random& random, const std::vector<Triangle>& triangles, size_t count, uint32_t kind);
+[[nodiscard]] std::vector<shared::Ray> stray_rays(Random& random, const std::vector<Triangle>& triangles, size_t count,
+                                                  uint32_t kind);
 
 }  // namespace crsh::test

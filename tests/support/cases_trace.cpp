@@ -73,7 +73,8 @@ SortedBatch make_batch(gpu::Device& device, const std::vector<std::vector<shared
   std::vector<shared::Ray> created;
   for (const std::vector<shared::Ray>& list : lists) {
     const uint32_t kind = list.empty() ? 0 : uint32_t(list.front().direction.w);
-    out.batch.segments.push_back({kind, uint32_t(out.batch.segments.size()), uint32_t(created.size()), uint32_t(list.size())});
+    out.batch.segments.push_back(
+        {kind, uint32_t(out.batch.segments.size()), uint32_t(created.size()), uint32_t(list.size())});
     created.insert(created.end(), list.begin(), list.end());
   }
   out.batch.count = uint32_t(created.size());
@@ -88,7 +89,9 @@ SortedBatch make_batch(gpu::Device& device, const std::vector<std::vector<shared
   return out;
 }
 
-uint64_t Traced::counter(uint32_t kind, uint32_t which) const { return counters[kind * shared::counters_per_row + which]; }
+uint64_t Traced::counter(uint32_t kind, uint32_t which) const {
+  return counters[kind * shared::counters_per_row + which];
+}
 
 void Tracer::begin(const SortedBatch& rays) {
   gpu::Device& device = recorder_.device();
@@ -114,14 +117,20 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
     const rays::Segment& segment = rays.batch.segments[s];
     if (segment.count == 0) continue;
     const uint32_t row = segment.kind * shared::counters_per_row, depth = options.algorithm.levels[segment.kind];
-    const traversal::In in{.hierarchy = hierarchy_, .scene = scene, .options = options.algorithm, .counters = counters_,
-                           .counter_row = row, .submit_work = options.submit_work, .drop_every = options.drop_every};
+    const traversal::In in{.hierarchy = hierarchy_,
+                           .scene = scene,
+                           .options = options.algorithm,
+                           .counters = counters_,
+                           .counter_row = row,
+                           .submit_work = options.submit_work,
+                           .drop_every = options.drop_every};
     traversal::traverse(recorder_, in, depth, hierarchy_.levels[depth - 1].segments[s], scratch_,
                         [&](const traversal::Candidates& candidates) {
                           const auto part = recorder_.read<shared::HitPair>(candidates.pairs, candidates.count);
                           ++portions;
                           pairs.insert(pairs.end(), part.begin(), part.end());
-                          intersection::intersect(recorder_, {scene, rays.batch, hits_, counters_, row, options.submit_work},
+                          intersection::intersect(recorder_,
+                                                  {scene, rays.batch, hits_, counters_, row, options.submit_work},
                                                   hierarchy_, rays.sorted, rays.order, candidates);
                         });
   }
@@ -134,8 +143,9 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
 Traced Tracer::trace_all(const scene::GpuScene& scene, const SortedBatch& rays, uint64_t submit_work) {
   begin(rays);
   for (const rays::Segment& segment : rays.batch.segments)
-    intersection::intersect_all(recorder_, {scene, rays.batch, hits_, counters_, segment.kind * shared::counters_per_row, submit_work},
-                                segment);
+    intersection::intersect_all(
+        recorder_, {scene, rays.batch, hits_, counters_, segment.kind * shared::counters_per_row, submit_work},
+        segment);
   return result(rays);
 }
 
@@ -147,7 +157,8 @@ std::vector<uint32_t> different_hits(const Traced& a, const Traced& b) {
 }
 
 bool same_pairs(const std::vector<shared::HitPair>& a, const std::vector<shared::HitPair>& b) {
-  return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return x.node == y.node && x.triangle == y.triangle; });
+  return std::ranges::equal(a, b,
+                            [](const auto& x, const auto& y) { return x.node == y.node && x.triangle == y.triangle; });
 }
 
 }  // namespace crsh::test

@@ -35,8 +35,9 @@ struct SortedBatch {
   std::vector<shared::Ray> sorted_rays;
 };
 
-/// A segment for each list that has rays; all rays of a list are of one kind. Segments are shuffled by `random`, if any.
-[[nodiscard]] SortedBatch make_batch(gpu::Device& device, const std::vector<std::vector<shared::Ray>>& lists, Random* random = nullptr);
+/// A segment for each list; all rays of a list are of one kind. `random`, if any, shuffles the order within segments.
+[[nodiscard]] SortedBatch make_batch(gpu::Device& device, const std::vector<std::vector<shared::Ray>>& lists,
+                                     Random* random = nullptr);
 
 struct TraceOptions {
   AlgorithmOptions algorithm;
@@ -61,7 +62,8 @@ class Tracer {
   /// Through the hierarchy.
   [[nodiscard]] Traced trace(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options);
   /// Every ray against every triangle.
-  [[nodiscard]] Traced trace_all(const scene::GpuScene& scene, const SortedBatch& rays, uint64_t submit_work = uint64_t(1) << 26);
+  [[nodiscard]] Traced trace_all(const scene::GpuScene& scene, const SortedBatch& rays,
+                                 uint64_t submit_work = uint64_t(1) << 26);
 
   [[nodiscard]] gpu::Recorder& recorder() { return recorder_; }
   /// As the last trace() built it.

@@ -87,7 +87,8 @@ Crossing crossing(const vec3& origin, const vec3& direction, const Triangle& tri
 
 vec4 smallest_sphere(const Triangle& triangle) {
   const vec3 centre = middle_of_sphere(triangle);
-  const float radius = std::max(std::max(length(triangle.a - centre), length(triangle.b - centre)), length(triangle.c - centre));
+  const float radius =
+      std::max(std::max(length(triangle.a - centre), length(triangle.b - centre)), length(triangle.c - centre));
   return vec4(centre, radius * bound_slack + bound_pad * largest(triangle));
 }
 

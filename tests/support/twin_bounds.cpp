@@ -17,7 +17,9 @@ void merge_spheres(Bound& bound, const Bound& other) {
 
 }  // namespace
 
-double angle_between(const dvec3& a, const dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+double angle_between(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
 
 Bound bound_of(const shared::Node& node) {
   const double angle = node.cone.w < 1e30f ? std::atan(double(node.cone.w)) : std::numbers::pi;

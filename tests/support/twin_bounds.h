@@ -1,5 +1,6 @@
 #pragma once
-// Node bounds in double precision: equations 1 to 8 (section 3.2.4) as printed, and what it means that one holds another.
+// Node bounds in double precision: equations 1 to 8 (section 3.2.4) as printed, and what it means for one to hold
+// another.
 
 #include <glm/glm.hpp>
 #include <span>
