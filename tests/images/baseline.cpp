@@ -45,7 +45,8 @@ std::string difference_to_baseline(const std::string& name, const Picture& pictu
     output::write_whole(actual, bytes);
     return without_baseline(name, actual);
   }
-  const auto comparison = output::compare(output::decode_png(bytes, actual), output::read_image(baseline), {"all"}, tolerance);
+  const auto comparison =
+      output::compare(output::decode_png(bytes, actual), output::read_image(baseline), {"all"}, tolerance);
   if (comparison.same) return {};
   output::write_whole(actual, bytes);
   if (comparison.mismatch.empty()) output::write_whole(apart, output::difference_png(comparison));

@@ -4,7 +4,8 @@
 
 namespace crsh::test {
 
-void Triangles::add_quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d, uint32_t material) {
+void Triangles::add_quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
+                         uint32_t material) {
   const auto first = static_cast<uint32_t>(positions.size());
   positions.insert(positions.end(), {a, b, c, d});
   triangles.insert(triangles.end(), {glm::uvec3(0, 1, 2) + first, glm::uvec3(0, 2, 3) + first});

@@ -52,7 +52,8 @@ void check_nodes(uint64_t nodes, uint64_t count, uint64_t arity, uint64_t segmen
 }
 
 /// Each hit of a node is a test of each of its children: `arity`, or fewer for the last node of a segment.
-void check_tests_below(uint64_t tests, uint64_t hits_above, uint64_t arity, uint64_t partial_nodes, uint64_t triangles) {
+void check_tests_below(uint64_t tests, uint64_t hits_above, uint64_t arity, uint64_t partial_nodes,
+                       uint64_t triangles) {
   CHECK(tests <= arity * hits_above);
   CHECK(tests + (arity - 1) * partial_nodes * triangles >= arity * hits_above);
 }
@@ -108,7 +109,8 @@ Rendered floor_under_grid() {
   for (int i = -3; i <= 3; ++i)
     for (int j = -3; j <= 3; ++j) {
       const glm::vec3 corner(0.5f * float(i), 3, 0.5f * float(j));
-      triangles.add_quad(corner, corner + glm::vec3(0.3f, 0, 0), corner + glm::vec3(0.3f, 0.1f, 0.3f), corner + glm::vec3(0, 0, 0.3f));
+      triangles.add_quad(corner, corner + glm::vec3(0.3f, 0, 0), corner + glm::vec3(0.3f, 0.1f, 0.3f),
+                         corner + glm::vec3(0, 0, 0.3f));
     }
   RenderOptions options;
   options.width = options.height = 64;
@@ -121,7 +123,7 @@ Rendered floor_under_grid() {
   return render(built_scene(triangles, {matt(glm::vec3(0.5f))}), options);
 }
 
-TEST_CASE("where all nodes are full, level-1 tests are arity times level-2 hits, and exact tests arity times level-1 hits") {
+TEST_CASE("where all nodes are full, each hit of a node is as many tests below as the arity") {
   const Rendered rendered = floor_under_grid();
   for (const char* kind : {"shadow", "reflection"}) {
     CAPTURE(std::string(kind));

@@ -25,7 +25,9 @@ RenderOptions small() {
   return options;
 }
 
-std::string exr_of(const Picture& picture) { return output::encode_exr(picture, layers, {{"crsh:bounces", "2"}}).bytes; }
+std::string exr_of(const Picture& picture) {
+  return output::encode_exr(picture, layers, {{"crsh:bounces", "2"}}).bytes;
+}
 
 TEST_CASE("two renderings in one process give the same bytes, under two names, and the same counters") {
   const TemporaryFolder folder;
@@ -78,7 +80,8 @@ TEST_CASE("samples are anti-aliased alike by every algorithm") {
 
 /// What the first sample of a pixel sees is at its centre, however many there are.
 TEST_CASE("depth and normals are those of the pixel's centre for any number of samples") {
-  const Picture one = render(own_scene("cornell"), small()).picture, four = render(own_scene("cornell"), sampled(0)).picture;
+  const Picture one = render(own_scene("cornell"), small()).picture,
+                four = render(own_scene("cornell"), sampled(0)).picture;
   CHECK(one.find("Z")->values == four.find("Z")->values);
   CHECK(one.find("N")->values == four.find("N")->values);
 }

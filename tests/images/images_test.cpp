@@ -40,7 +40,8 @@ void check_image(const ImageTest& test) {
 }
 
 // clang-format off
-#define IMAGE(name, ...) TEST_CASE(name " is as blessed, the same by every algorithm") { check_image({name, __VA_ARGS__}); }
+#define IMAGE(name, ...) \
+  TEST_CASE(name " is as blessed, the same by every algorithm") { check_image({name, __VA_ARGS__}); }
 
 IMAGE("cornell", "cornell", 128, 96, 4)
 IMAGE("cornell-two-bounces", "cornell", 64, 48, 2)

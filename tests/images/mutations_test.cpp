@@ -12,7 +12,8 @@ namespace {
 
 /// Boxes in a room, all mirrors: of few triangles most pairs matter, and 10,000 are soon there.
 RenderOptions mirrored_boxes(BoxScene& boxes) {
-  boxes.boxes = {{{-2.5, -0.3, -2.5}, {2.5, 2.5, 2.5}}, {{-0.5, -0.3, -0.5}, {0.5, 1, 0.5}}, {{0.9, -0.1, 0.2}, {1.4, 0.5, 0.9}}};
+  boxes.boxes = {
+      {{-2.5, -0.3, -2.5}, {2.5, 2.5, 2.5}}, {{-0.5, -0.3, -0.5}, {0.5, 1, 0.5}}, {{0.9, -0.1, 0.2}, {1.4, 0.5, 0.9}}};
   boxes.lights = {{1.2, 2.3, 1.5}};
   boxes.eye = {1.9, 2.1, 2.2};
   boxes.placement.turned = true;

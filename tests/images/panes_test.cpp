@@ -29,7 +29,7 @@ void add_pane(Triangles& triangles, float z, uint32_t material) {
       triangles.add_quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), material);
 }
 
-/// A floor and a ball's worth of colour behind three panes.
+/// A floor, and a wall behind three panes.
 Triangles panes() {
   Triangles triangles;
   triangles.add_quad({-3, -1, 3}, {3, -1, 3}, {3, -1, -3}, {-3, -1, -3});
@@ -54,8 +54,8 @@ Picture picture_of(const Triangles& triangles) {
   options.view.eye = {0.63f, 0.41f, 3.57f};
   options.view.target = {0.02f, -0.13f, 0};
   options.lights = {{{0.7f, 1.9f, 2.3f}, 30.0f}, {{-1.3f, 2.2f, -1.6f}, 20.0f}};
-  const scene::Scene scene = built_scene(
-      triangles, {matt({0.8f, 0.8f, 0.7f}), glass({0.9f, 0.5f, 0.4f}), glass({0.5f, 0.9f, 0.5f}), glass({0.4f, 0.6f, 0.9f})});
+  const scene::Scene scene = built_scene(triangles, {matt({0.8f, 0.8f, 0.7f}), glass({0.9f, 0.5f, 0.4f}),
+                                                     glass({0.5f, 0.9f, 0.5f}), glass({0.4f, 0.6f, 0.9f})});
   return render(scene, options).picture;
 }
 

@@ -53,7 +53,9 @@ TEST_CASE("scanlines and tiles give the same hits and picture") {
 TEST_CASE("compression changes no hit, no pixel, and no counter but its own chunks") {
   for (const char* algorithm : {"crsh", "crsh-2017"}) {
     CAPTURE(std::string(algorithm));
-    const auto with = [&](bool on) { return changed([=](auto& options) { options = preset(algorithm), options.compression = on; }); };
+    const auto with = [&](bool on) {
+      return changed([=](auto& options) { options = preset(algorithm), options.compression = on; });
+    };
     Rendered chunked = with(true), plain = with(false);
     CHECK(rays_of(chunked.statistics, "shadow", 0).chunks > 0);
     for (RayStatistics& row : chunked.statistics.rays) row.chunks = 0;

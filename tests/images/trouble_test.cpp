@@ -23,7 +23,8 @@ RenderOptions small(uint32_t bounces = 2) {
 }
 
 /// By a preset on a device of its own.
-Rendered troubled(const gpu::DeviceRequest& request, const char* scene, const std::string& algorithm, RenderOptions options) {
+Rendered troubled(const gpu::DeviceRequest& request, const char* scene, const std::string& algorithm,
+                  RenderOptions options) {
   gpu::Device device(request);
   options.algorithm = preset(algorithm);
   Rendered rendered = render(device, own_scene(scene), options);
@@ -98,7 +99,8 @@ TEST_CASE("the least memory that a refusal names is enough, and changes no pictu
     REQUIRE(least > 2);
     gpu::DeviceRequest request = device_request();
     request.memory_budget = least << 20;
-    const Rendered frugal = troubled(request, scene, algorithm, small()), usual = troubled(device_request(), scene, algorithm, small());
+    const Rendered frugal = troubled(request, scene, algorithm, small());
+    const Rendered usual = troubled(device_request(), scene, algorithm, small());
     CHECK(frugal.statistics.device_peak_bytes <= least << 20);
     CHECK(frugal.statistics.device_peak_bytes < usual.statistics.device_peak_bytes / 2);
     check_same(frugal, usual);

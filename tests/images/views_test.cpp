@@ -1,4 +1,4 @@
-// The three views that figures are quoted for (README of the shared scenes; DESIGN section 4). The test suite "full", with
+// The three views that figures are quoted for (README of the shared scenes). The test suite "full", with
 // CRSH_TEST_FULL=1, takes them in the sizes that figures are about.
 
 #include <doctest/doctest.h>
@@ -23,10 +23,15 @@ struct View {
   uint64_t shadow_rays, mirror_rays;  ///< of k = 0 at 512x512 (FINDINGS, section 2)
 };
 
+// clang-format off
 const View views[] = {
-    {"office", "office/office_drafting_objects.glb", {5.7f, 1.9f, -7.6f}, {2.8f, 1.0f, -3.6f}, 60, {4.4f, 2.9f, -4.2f}, 245419, 262144},
-    {"cornell", "cornell/cornell_six_mirrors_790.glb", {0, 0.1f, 0.95f}, {0, -0.1545f, -0.017f}, 65, {0.2f, 0.8f, 0.3f}, 235486, 262144},
-    {"sponza", "sponza/sponza_whole.glb", {-12, 3, 0.5f}, {0, 3.5f, 0}, 65, {0, 11, 0}, 178678, 256988}};
+    {"office", "office/office_drafting_objects.glb",
+     {5.7f, 1.9f, -7.6f}, {2.8f, 1.0f, -3.6f}, 60, {4.4f, 2.9f, -4.2f}, 245419, 262144},
+    {"cornell", "cornell/cornell_six_mirrors_790.glb",
+     {0, 0.1f, 0.95f}, {0, -0.1545f, -0.017f}, 65, {0.2f, 0.8f, 0.3f}, 235486, 262144},
+    {"sponza", "sponza/sponza_whole.glb",
+     {-12, 3, 0.5f}, {0, 3.5f, 0}, 65, {0, 11, 0}, 178678, 256988}};
+// clang-format on
 
 bool is_full() {
   const char* full = std::getenv("CRSH_TEST_FULL");

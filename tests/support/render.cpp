@@ -32,8 +32,8 @@ std::string difference(const Layer& a, const Layer& b, uint32_t width) {
   for (size_t i = 0; i < a.values.size(); ++i) {
     if (std::bit_cast<uint32_t>(a.values[i]) == std::bit_cast<uint32_t>(b.values[i])) continue;
     const size_t pixel = i / a.channels.size();
-    return fmt::format("{} at ({}, {}): {} against {}", a.channels[i % a.channels.size()], pixel % width,
-                       pixel / width, a.values[i], b.values[i]);
+    return fmt::format("{} at ({}, {}): {} against {}", a.channels[i % a.channels.size()], pixel % width, pixel / width,
+                       a.values[i], b.values[i]);
   }
   return {};
 }
