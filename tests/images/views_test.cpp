@@ -20,7 +20,7 @@ struct View {
   glm::vec3 eye, target;
   float fov;
   glm::vec3 light;
-  uint64_t shadow_rays, mirror_rays;  ///< of k = 0 at 512x512 (FINDINGS, section 2)
+  uint64_t shadow_rays, mirror_rays;  ///< of k = 0 at 512x512, as counted by a prototype
 };
 
 // clang-format off
@@ -92,7 +92,7 @@ TEST_CASE("on the three views at 256x256 all presets give the same picture and h
   for (const View& view : views) check_algorithms(view, 256, 48);
 }
 
-TEST_CASE("the three views cast as many rays as FINDINGS has" * doctest::skip(!is_full())) {
+TEST_CASE("the three views cast as many rays as the prototype counted" * doctest::skip(!is_full())) {
   for (const View& view : views) {
     const scene::Scene* scene = scene_of(view);
     if (!scene) return;
