@@ -64,6 +64,7 @@ void prepare(gpu::Recorder& recorder, ImageSize size, GBuffer& out) {
 }  // namespace
 
 void rasterise(gpu::Recorder& recorder, const In& in, GBuffer& out) {
+  recorder.submit();  // Mesa 25's lavapipe crashes where a draw follows dispatches in one command buffer
   prepare(recorder, in.size, out);
   const scene::GpuScene& s = in.scene;
   const std::array<const gpu::Image*, 5> colours = {&out.position, &out.normal, &out.diffuse, &out.specular, &out.triangle};
