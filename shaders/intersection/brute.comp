@@ -16,9 +16,12 @@ layout(push_constant, scalar) uniform Push {
   uint first_triangle;
   uint triangle_count;
   uint tests_counter;
+  uint first_account;  // of ray 0
 };
 layout(binding = 5, scalar) readonly buffer Rays { Ray rays[]; };  // in creation order
 layout(binding = 6, scalar) buffer Counters { uvec2 counters[]; };
+#define ACCOUNT_BINDING 7
+#include "lib/account.glsl"
 
 void main() {
   uint i = invocation_index();
@@ -37,5 +40,7 @@ void main() {
     tests += loaded;
   }
   if (present) hits[id] = hit;
-  ADD_COUNTER(tests_counter, present ? tests : 0u)
+  tests = present ? tests : 0u;
+  ADD_COUNTER(tests_counter, tests)
+  ACCOUNT(tests_triangle, first_account + id, tests)
 }

@@ -19,6 +19,7 @@ layout(push_constant, scalar) uniform Push {
   uint first_base;    // element of `bases` that belongs to first_node
   uint pairs_before;  // value of that element
   uint tests_counter;
+  uint first_account;  // of ray 0
 };
 layout(binding = 5, scalar) readonly buffer Rays { Ray rays[]; };       // in sorted order
 layout(binding = 6, scalar) readonly buffer Order { uint order[]; };    // creation index a sorted position
@@ -26,6 +27,8 @@ layout(binding = 7, scalar) readonly buffer Children { uvec2 rays_of[]; };
 layout(binding = 8, scalar) readonly buffer Bases { uint bases[]; };
 layout(binding = 9, scalar) readonly buffer Pairs { HitPair pairs[]; };
 layout(binding = 10, scalar) buffer Counters { uvec2 counters[]; };
+#define ACCOUNT_BINDING 11
+#include "lib/account.glsl"
 
 void main() {
   uint i = invocation_index();
@@ -52,4 +55,5 @@ void main() {
   if (present) hits[id] = hit;
   uint tests = present ? end - begin : 0u;
   ADD_COUNTER(tests_counter, tests)
+  ACCOUNT(tests_triangle, first_account + id, tests)
 }

@@ -7,7 +7,6 @@ layout(local_size_x = 64) in;
 #include "lib/brdf.glsl"
 #include "lib/invocation.glsl"
 #include "lib/lights.glsl"
-#include "shared/limits.h"
 #include "shared/ray.h"
 
 layout(push_constant, scalar) uniform Push {
@@ -27,16 +26,7 @@ layout(binding = 6, scalar) readonly buffer Lights { Light lights[]; };
 layout(binding = 7, scalar) readonly buffer Ends { uint ends[]; };
 layout(binding = 8, scalar) readonly buffer Hits { Hit hits[]; };
 layout(binding = 9, scalar) buffer Direct { vec4 direct[]; };
-
-/// What a shadow ray lets through, from its sum of -log2 in 16.16 fixed point; saturated: blocked.
-vec3 let_through(uvec3 sum) {
-  return mix(exp2(vec3(sum) * (-1.0 / 65536.0)), vec3(0.0), equal(sum, uvec3(0xFFFFFFFFu)));
-}
-
-uint ray_of(uint slot) {
-  uint before = slot == 0u ? 0u : ends[slot - 1u];
-  return ends[slot] > before ? before : none;
-}
+#include "shading/shadow_hits.glsl"
 
 vec3 light_from(uint surface, Light light, vec3 visibility) {
   Incidence incident = incidence(light, positions[surface].xyz);

@@ -14,6 +14,7 @@ struct Link {
   uint first_ray;
   uint any;
 };
+layout(constant_id = 0) const bool parts = false;  // wanted: for layers
 layout(push_constant, scalar) uniform Push {
   uint first_surface;
   uint count;
@@ -30,7 +31,7 @@ layout(binding = 5, scalar) readonly buffer RefractionEnds { uint refraction_end
 layout(binding = 6, scalar) readonly buffer ReflectionTotals { vec4 reflection_totals[]; };
 layout(binding = 7, scalar) readonly buffer RefractionTotals { vec4 refraction_totals[]; };
 layout(binding = 8, scalar) writeonly buffer Totals { vec4 totals[]; };          // w: 1 where something was met
-layout(binding = 9, scalar) writeonly buffer Reflected { vec4 reflected[]; };    // the parts, for layers
+layout(binding = 9, scalar) writeonly buffer Reflected { vec4 reflected[]; };    // the parts, where wanted
 layout(binding = 10, scalar) writeonly buffer Refracted { vec4 refracted[]; };
 
 /// The ray in the slot between these ends, as child; `none` where the slot is empty.
@@ -60,6 +61,7 @@ void main() {
   bool met = emission.w >= 0.0;
   vec3 own = emission.rgb + direct[surface].rgb + from_reflection + from_refraction;
   totals[surface] = met ? vec4(own, 1.0) : vec4(background, 0.0);
+  if (!parts) return;
   reflected[surface] = vec4(from_reflection, 0.0);
   refracted[surface] = vec4(from_refraction, 0.0);
 }

@@ -19,6 +19,7 @@ layout(push_constant, scalar) uniform Push {
   uint use_interval;
   uint tests_counter;
   uint hits_counter;
+  uint first_account;  // of the level's node 0
 };
 layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
 layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
@@ -29,6 +30,8 @@ layout(binding = 5, scalar) readonly buffer TriangleSpheres { vec4 triangle_sphe
 layout(binding = 6, scalar) writeonly buffer Masks { uint masks[]; };
 layout(binding = 7, scalar) writeonly buffer Counts { uint counts[]; };
 layout(binding = 8, scalar) buffer Counters { uvec2 counters[]; };
+#define ACCOUNT_BINDING 9
+#include "lib/account.glsl"
 
 void main() {
   uint i = invocation_index();
@@ -74,6 +77,8 @@ void main() {
 
   hits = present ? hits : 0u;
   if (present) counts[child - portion.first_child] = hits;
-  ADD_COUNTER(tests_counter, present ? list.end - list.begin : 0u)
+  uint tests = present ? list.end - list.begin : 0u;
+  ADD_COUNTER(tests_counter, tests)
   ADD_COUNTER(hits_counter, hits)
+  ACCOUNT(tests_node, first_account + child, tests)
 }

@@ -17,12 +17,15 @@ layout(push_constant, scalar) uniform Push {
   uint object_count;
   uint use_interval;
   uint counter;
+  uint first_account;  // of the level's node 0
 };
 layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
 layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
 layout(binding = 2, scalar) readonly buffer Spheres { vec4 object_spheres[]; };
 layout(binding = 3, scalar) writeonly buffer MeshHits { uint mesh_hits[]; };
 layout(binding = 4, scalar) buffer Counters { uvec2 counters[]; };
+#define ACCOUNT_BINDING 5
+#include "lib/account.glsl"
 
 void main() {
   uint i = invocation_index();
@@ -37,4 +40,5 @@ void main() {
     if (bound_may_hit_sphere(ray_node, interval, object_spheres[first + k], use_interval == 1u)) bits |= 1u << k;
   mesh_hits[node * words + word] = bits;
   ADD_COUNTER(counter, count)
+  ACCOUNT(tests_object, first_account + first_node + node, count)
 }

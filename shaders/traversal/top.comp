@@ -24,6 +24,7 @@ layout(push_constant, scalar) uniform Push {
   uint use_interval;
   uint tests_counter;
   uint hits_counter;
+  uint first_account;  // of the level's node 0
 };
 layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
 layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
@@ -33,6 +34,8 @@ layout(binding = 4, scalar) readonly buffer MeshHits { uint mesh_hits[]; };
 layout(binding = 5, scalar) writeonly buffer Masks { uint masks[]; };    // node-major
 layout(binding = 6, scalar) writeonly buffer Counts { uint counts[]; };  // of the masks' bits
 layout(binding = 7, scalar) buffer Counters { uvec2 counters[]; };
+#define ACCOUNT_BINDING 8
+#include "lib/account.glsl"
 
 void main() {
   uint i = invocation_index();
@@ -70,4 +73,5 @@ void main() {
   }
   ADD_COUNTER(tests_counter, count)
   ADD_COUNTER(hits_counter, hits)
+  ACCOUNT(tests_node, first_account + first_node + node, count)
 }

@@ -25,6 +25,22 @@ hierarchy::Range nodes_of(const rays::Batch& batch, const hierarchy::Hierarchy& 
   return range;
 }
 
+/// Empties the account of tests for a batch, if any Tests layer is wanted.
+void begin_account(Renderer::State& s, const rays::Batch& batch) {
+  hierarchy::WantedTests wanted{};
+  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
+    wanted[kind] = s.film.layers.has(shading::layer_of_tests(kind));
+  s.batch.account.begin(s.recorder, wanted, batch.count, s.batch.hierarchy);
+}
+
+/// The tests of a batch's rays and nodes go to the film.
+void share_tests(Renderer::State& s, const rays::Batch& batch, const rays::BatchPlan& plan, const shading::Surfaces& surfaces) {
+  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
+    if (s.batch.account.wants(kind))
+      s.batch.account.share(s.recorder, {batch, s.batch.hierarchy, s.batch.order.order, plan.first_surface, surfaces.diffuse},
+                            kind, s.film.tests[kind]);
+}
+
 /// Steps 4 to 6 (§3.2.3 to §3.2.6): sorts the rays, bundles them into nodes, and takes these through the scene.
 void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   const AlgorithmOptions& options = s.options.algorithm;
@@ -35,14 +51,16 @@ void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t boun
                     .compression = options.compression, .unstable = unstable}, b.order);
   coherence::gather(s.recorder, batch, b.order, b.sorted_rays);
   hierarchy::build(s.recorder, {b.sorted_rays, batch.segments, options, narrow}, b.hierarchy);
+  begin_account(s, batch);
   for (uint32_t kind = 0; kind < kind_count; ++kind) {
     const uint32_t row = Counters::row(bounce, kind);
     const traversal::In in{.hierarchy = b.hierarchy, .scene = s.gpu_scene, .options = options,
                            .counters = s.counters->buffer(), .counter_row = row, .submit_work = s.options.submit_work,
-                           .most_pairs = s.most_pairs, .drop_every = s.options.mutation == "dropped-pairs" ? 10000u : 0u};
+                           .most_pairs = s.most_pairs, .drop_every = s.options.mutation == "dropped-pairs" ? 10000u : 0u,
+                           .account = b.account};
     const hierarchy::Range top = nodes_of(batch, b.hierarchy, kind, options.levels[kind]);
     traversal::traverse(s.recorder, in, options.levels[kind], top, b.traversal, [&](const auto& candidates) {
-      intersection::intersect(s.recorder, {s.gpu_scene, batch, b.hits, s.counters->buffer(), row, s.options.submit_work},
+      intersection::intersect(s.recorder, {s.gpu_scene, batch, b.hits, s.counters->buffer(), row, s.options.submit_work, b.account},
                               b.hierarchy, b.sorted_rays, b.order.order, candidates);
     });
   }
@@ -52,9 +70,10 @@ void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t boun
 void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   s.batch.hierarchy.depth = 0;
   s.batch.order.chunks.clear();
+  begin_account(s, batch);
   for (const rays::Segment& segment : batch.segments)
     intersection::intersect_all(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                             Counters::row(bounce, segment.kind), s.options.submit_work}, segment);
+                                             Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account}, segment);
 }
 
 /// Steps 3 to 6 for the rays of one plan: created, trimmed, traced. The hits are in state.batch.hits.
@@ -75,6 +94,7 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
     intersection::digest(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
                                       Counters::row(bounce, segment.kind), s.options.submit_work},
                          segment, plan.first_surface, surfaces.diffuse, surfaces.specular);
+  share_tests(s, batch, plan, surfaces);
   add_batch(s.recorder, batch, s.batch.order, s.batch.hierarchy, bounce, s.frame_statistics);
   return batch;
 }
@@ -122,8 +142,10 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
   for (const rays::BatchPlan& plan : plans) {
     const rays::Batch& batch = trace_batch(s, plan, surfaces, generation, bounce);
     s.recorder.stage(gpu::Stage::shading);
-    if (batch.count)
-      shading::add_direct(s.recorder, {surfaces, s.gpu_scene, plan, batch.ends, s.batch.hits}, generation);
+    const shading::DirectIn direct{surfaces, s.gpu_scene, plan, batch.ends, s.batch.hits};
+    if (batch.count) shading::add_direct(s.recorder, direct, generation);
+    if (batch.count && bounce == 0 && s.film.layers.has(LayerId::shadow))
+      shading::add_visibility(s.recorder, direct, s.film.sum(LayerId::shadow));
     if (!casts_closest(plan)) continue;
     shading::Children children = children_of(s.batch.rays, plan, next.count);
     const uint32_t count = batch.count - std::min(batch.count, children.first_ray);
@@ -141,7 +163,9 @@ void gather_generations(Renderer::State& s, uint32_t generations) {
     shading::Generation& generation = s.paths.generations[k];
     if (k + 1 == generations) generation.children.clear();
     for (shading::Children& children : generation.children) children.totals = &s.paths.gathered[k + 1].total;
-    shading::gather(s.recorder, generation, s.options.background.value_or(glm::vec3(0)), s.paths.gathered[k]);
+    const bool parts = k == 0 && s.film.layers.has_any({LayerId::reflection, LayerId::refraction});
+    shading::gather(s.recorder, generation, s.options.background.value_or(glm::vec3(0)), s.paths.gathered[k],
+                    parts ? shading::Parts::wanted : shading::Parts::unwanted);
   }
 }
 
@@ -164,7 +188,7 @@ Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progres
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   s.recorder.stage(gpu::Stage::raster);
   scene::animate(s.recorder, s.gpu_scene, s.scene, pose, s.lights);
-  shading::begin_frame(s.recorder, s.film, s.size);
+  shading::begin_frame(s.recorder, s.film, s.size, s.options.layers);
   s.paths.generations.resize(s.options.bounces + 2);
   s.paths.gathered.resize(s.options.bounces + 2);
 
@@ -184,10 +208,10 @@ Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progres
                                     s.paths.first, s.paths.generations[0]);
       trace_paths(s, progress, done, share);
       shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene,
-                                       view, s.options.background.has_value()}, s.film);
+                                       view}, s.film);
     }
   }
-  return shading::take_picture(s.recorder, s.film, view);
+  return shading::take_picture(s.recorder, s.film, view, s.options.background);
 }
 
 }  // namespace crsh

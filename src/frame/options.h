@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/layers.h"
 #include "rays/kinds.h"
 
 namespace crsh {
@@ -61,6 +62,7 @@ struct RenderOptions {
   std::vector<LightOption> lights;                     ///< not empty: they replace the file's
   std::array<bool, kind_count> rays = {true, true, true};
   bool override_mirror = false;
+  LayerSet layers = default_layers;                    ///< of the picture, besides the beauty
   AlgorithmOptions algorithm = preset("crsh");
   uint64_t submit_work = uint64_t(1) << 26;            ///< tests a submit
   std::optional<std::string> mutation;                 ///< test-only: a fault to switch on (tests/README.md)

@@ -10,9 +10,10 @@ namespace crsh {
 
 /// One named layer of `channels` interleaved floats a pixel ("" is the beauty, RGBA premultiplied).
 struct Layer {
-  std::string name;                    ///< "", "Z", "N", "Albedo", ...
+  std::string name;                    ///< "" (the beauty), "Z", "N", "Albedo", ...: see frame/layers.h
   std::vector<std::string> channels;   ///< names as in the EXR: {"R","G","B","A"}, {"Z"}, {"N.X","N.Y","N.Z"}, {"Albedo.R",...}
   std::vector<float> values;           ///< width * height * channels.size()
+  std::vector<uint32_t> ids;           ///< in place of values, where the layer is of numbers
 };
 
 struct Picture {

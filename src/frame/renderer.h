@@ -24,7 +24,7 @@ class Renderer {
   Renderer(gpu::Device& device, const scene::Scene& scene, const RenderOptions& options);
   ~Renderer();
 
-  /// Renders the scene at `seconds`. Beauty, Z, N and Albedo layers.
+  /// Renders the scene at `seconds`: the beauty and the layers that the options ask for.
   [[nodiscard]] Picture render(double seconds, const Progress& progress = {});
 
   /// Counters and times of all frames so far.

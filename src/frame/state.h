@@ -8,6 +8,7 @@
 #include "coherence/trim.h"
 #include "frame/counters.h"
 #include "frame/renderer.h"
+#include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "intersection/intersection.h"
 #include "raster/raster.h"
@@ -29,6 +30,7 @@ struct BatchBuffers {
   coherence::Order order;
   gpu::Buffer sorted_rays, hits;
   hierarchy::Hierarchy hierarchy;
+  hierarchy::Account account;
   traversal::Scratch traversal;
 };
 

@@ -17,16 +17,19 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
   recorder.stage(gpu::Stage::final_intersection);
   const hierarchy::Level& level = hierarchy.levels.front();
   const struct {
-    uint32_t first_node, node_count, most_rays, first_base, pairs_before, tests_counter;
+    uint32_t first_node, node_count, most_rays, first_base, pairs_before, tests_counter, first_account;
   } push{candidates.first_node,
          candidates.end_node - candidates.first_node,
          level.most_children,
          candidates.first_base,
          candidates.pairs_before,
-         in.counter_row + shared::counter_triangle_tests};
-  recorder.dispatch(std::string("intersection/candidates") + recorder.device().lanes(), uint64_t(push.node_count) * push.most_rays, push,
+         in.counter_row + shared::counter_triangle_tests,
+         in.account.first(shared::tests_triangle, 0)};
+  recorder.dispatch(in.account.kernel(std::string("intersection/candidates") + recorder.device().lanes()),
+                    uint64_t(push.node_count) * push.most_rays, push,
                     {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits, sorted_rays,
-                     order, level.children, candidates.bases, candidates.pairs, in.counters},
+                     order, level.children, candidates.bases, candidates.pairs, in.counters,
+                     in.account.buffer_or(in.counters)},
                     candidates.count * level.most_children);
   recorder.submit_past(in.submit_work);
   recorder.stage(gpu::Stage::hierarchy_traversal);
@@ -42,12 +45,12 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
   for (uint32_t first = 0; first < triangles; first += batch)
     for (uint32_t ray = 0; ray < segment.count; ray += tile) {
       const struct {
-        uint32_t first_ray, ray_count, first_triangle, triangle_count, tests_counter;
+        uint32_t first_ray, ray_count, first_triangle, triangle_count, tests_counter, first_account;
       } push{segment.first + ray, std::min(tile, segment.count - ray), first, std::min(batch, triangles - first),
-             in.counter_row + shared::counter_triangle_tests};
-      recorder.dispatch(std::string("intersection/brute") + recorder.device().lanes(), push.ray_count, push,
+             in.counter_row + shared::counter_triangle_tests, in.account.first(shared::tests_triangle, 0)};
+      recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lanes()), push.ray_count, push,
                         {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits,
-                         in.batch.rays, in.counters},
+                         in.batch.rays, in.counters, in.account.buffer_or(in.counters)},
                         uint64_t(push.ray_count) * push.triangle_count);
       recorder.submit_past(in.submit_work);
     }

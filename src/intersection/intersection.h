@@ -5,6 +5,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
+#include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "rays/batch.h"
 #include "scene/upload.h"
@@ -19,6 +20,7 @@ struct In {
   const gpu::Buffer& counters;  ///< uvec2, 64 bits each
   uint32_t counter_row = 0;     ///< first counter of this bounce and kind
   uint64_t submit_work = 0;     ///< tests a submit
+  const hierarchy::Account& account = hierarchy::no_account;
 };
 
 /// No ray has hit anything yet.

@@ -64,7 +64,7 @@ struct HalfLayers {
 /// `first`: the layer's interleaved values.
 template <class T>
 void add_channels(Imf::Header& header, Imf::FrameBuffer& buffer, const Layer& layer, uint32_t width, const T* first) {
-  constexpr Imf::PixelType type = std::is_same_v<T, half> ? Imf::HALF : Imf::FLOAT;
+  constexpr Imf::PixelType type = std::is_same_v<T, half> ? Imf::HALF : std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT;
   const size_t stride = layer.channels.size() * sizeof(T);
   for (size_t index = 0; index < layer.channels.size(); ++index) {
     header.channels().insert(layer.channels[index], Imf::Channel(type));
@@ -134,6 +134,8 @@ EncodedExr encode_exr(const Picture& picture, std::span<const std::string> layer
     if (std::ranges::find(layers, layer.name) == layers.end()) continue;
     if (layer.name.empty())
       add_channels(header, buffer, layer, picture.width, halves.add(layer.values));
+    else if (!layer.ids.empty())
+      add_channels(header, buffer, layer, picture.width, layer.ids.data());
     else
       add_channels(header, buffer, layer, picture.width, layer.values.data());
   }

@@ -20,7 +20,7 @@ struct EncodedExr {
   uint64_t clamped = 0;  ///< half values beyond 65504, written as that
 };
 
-/// The layers of these names (the beauty's is ""): the beauty as half, the others as float.
+/// The layers of these names (the beauty's is ""): the beauty as half, numbers as uint, the others as float.
 /// Writes worldToCamera, worldToNDC and `attributes`; no path, date, time or device.
 [[nodiscard]] EncodedExr encode_exr(const Picture& picture, std::span<const std::string> layers,
                                     const Attributes& attributes);

@@ -12,12 +12,17 @@ struct Push {
   uint32_t surfaces, first_surface, first_slot, first_light, light_count;
 };
 
+/// The plan's first segments.
+uint32_t lights_of(const rays::BatchPlan& plan) {
+  const auto is_shadow = [](const rays::Wanted& s) { return s.kind == shared::kind_shadow; };
+  return static_cast<uint32_t>(std::ranges::count_if(plan.segments, is_shadow));
+}
+
 }  // namespace
 
 void add_direct(gpu::Recorder& recorder, const DirectIn& in, Generation& generation) {
   const rays::BatchPlan& plan = in.plan;
-  const auto is_shadow = [](const rays::Wanted& s) { return s.kind == shared::kind_shadow; };
-  const auto lights = uint32_t(std::count_if(plan.segments.begin(), plan.segments.end(), is_shadow));
+  const uint32_t lights = lights_of(plan);
   if (lights == 0) return;
   const Push push{plan.surfaces, plan.first_surface, 0, plan.segments[0].light, lights};
   const Surfaces& s = in.surfaces;
@@ -25,6 +30,15 @@ void add_direct(gpu::Recorder& recorder, const DirectIn& in, Generation& generat
                     {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, in.scene.lights, in.ends,
                      in.hits, generation.direct},
                     uint64_t(plan.surfaces) * lights);
+}
+
+void add_visibility(gpu::Recorder& recorder, const DirectIn& in, const gpu::Buffer& pixels) {
+  const struct {
+    uint32_t surfaces, first_surface, light_count;
+  } push{in.plan.surfaces, in.plan.first_surface, lights_of(in.plan)};
+  if (push.light_count == 0) return;
+  recorder.dispatch("shading/visibility", push.surfaces, push, {in.surfaces.diffuse, in.ends, in.hits, pixels},
+                    uint64_t(push.surfaces) * push.light_count);
 }
 
 }  // namespace crsh::shading

@@ -19,4 +19,7 @@ struct DirectIn {
 /// Adds what the batch's shadow rays let through to `generation.direct`, light by light.
 void add_direct(gpu::Recorder& recorder, const DirectIn& in, Generation& generation);
 
+/// Adds visibility and number of the batch's shadow rays to their pixels: vec4, x and y.
+void add_visibility(gpu::Recorder& recorder, const DirectIn& in, const gpu::Buffer& pixels);
+
 }  // namespace crsh::shading

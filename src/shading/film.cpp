@@ -2,80 +2,106 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <initializer_list>
-#include <utility>
-
 #include "error.h"
 #include "primitives/grow.h"
 
 namespace crsh::shading {
 namespace {
 
-/// As shading/film.comp declares it.
-struct Push {
-  glm::vec3 eye;
-  uint32_t count;
-  glm::vec3 forward;
-  uint32_t first_sample, opaque;
+/// A layer that is the sum of something a surface each.
+struct Summed {
+  LayerId layer;
+  const gpu::Buffer& values;
+  bool first_sample_only = false;
 };
+
+std::array<Summed, 8> summed(const SampleIn& in) {
+  return {{{LayerId::beauty, in.gathered.total},
+           {LayerId::direct, in.generation.direct},
+           {LayerId::emission, in.generation.emission},
+           {LayerId::reflection, in.gathered.reflection},
+           {LayerId::refraction, in.gathered.refraction},
+           {LayerId::f0, in.surfaces.specular},
+           {LayerId::position, in.surfaces.position, true},
+           {LayerId::normal, in.surfaces.normal, true}}};
+}
+
+/// Layers whose pixels are a vec4 in Film::sums.
+constexpr std::array summed_layers = {LayerId::beauty,     LayerId::direct,     LayerId::emission,
+                                      LayerId::reflection, LayerId::refraction, LayerId::albedo,
+                                      LayerId::f0,         LayerId::shadow,     LayerId::position,
+                                      LayerId::normal};
 
 uint64_t pixels_of(const Film& film) { return uint64_t(film.size.width) * film.size.height; }
 
-/// A layer of some of the channels of a buffer of vec4, scaled.
-Layer layer_of(std::string name, std::vector<std::string> channels, const std::vector<glm::vec4>& pixels, int first,
-               float scale) {
-  Layer layer{std::move(name), std::move(channels), {}};
-  const int count = int(layer.channels.size());
-  layer.values.reserve(pixels.size() * size_t(count));
-  for (const glm::vec4& pixel : pixels)
-    for (int c = first; c < first + count; ++c) layer.values.push_back(pixel[c] * scale);
-  return layer;
+void require_room(const gpu::Device& device, const Film& film) {
+  const uint64_t most = device.limits().max_binding / sizeof(glm::vec4);
+  if (pixels_of(film) > most)
+    throw UserError(fmt::format("--size {}x{}: {} holds at most {} pixels in one buffer", film.size.width,
+                                film.size.height, device.info().name, most));
+}
+
+/// Ids and depth are written whole; sums begin at 0.
+void reserve(gpu::Recorder& recorder, Film& film) {
+  const uint64_t pixels = pixels_of(film);
+  for (const LayerId layer : summed_layers)
+    if (film.layers.has(layer))
+      primitives::grow(recorder, film.sums[static_cast<size_t>(layer)], pixels * sizeof(glm::vec4), row_of(layer).name);
+  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
+    if (film.layers.has(layer_of_tests(kind)))
+      primitives::grow(recorder, film.tests[kind], pixels * sizeof(uint64_t), row_of(layer_of_tests(kind)).name);
+  if (film.layers.has(LayerId::depth)) primitives::grow(recorder, film.depth, pixels * sizeof(float), "Z");
+  if (film.layers.has_any({LayerId::object, LayerId::material}))
+    primitives::grow(recorder, film.ids, pixels * sizeof(glm::uvec2), "ids");
+}
+
+void clear(gpu::Recorder& recorder, const Film& film) {
+  const uint64_t pixels = pixels_of(film);
+  for (const LayerId layer : summed_layers)
+    if (film.layers.has(layer)) recorder.fill(film.sum(layer), 0, pixels * 4);
+  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
+    if (film.layers.has(layer_of_tests(kind))) recorder.fill(film.tests[kind], 0, pixels * 2);
+}
+
+void add_geometry(gpu::Recorder& recorder, const SampleIn& in, const Film& film) {
+  const Surfaces& s = in.surfaces;
+  if (film.layers.has(LayerId::depth)) {
+    const struct {
+      glm::vec3 eye;
+      uint32_t count;
+      glm::vec3 forward;
+    } push{in.view.eye, s.count, in.view.forward};
+    recorder.dispatch("shading/film_depth", s.count, push, {s.diffuse, s.position, film.depth});
+  }
+  if (film.layers.has_any({LayerId::object, LayerId::material}))
+    recorder.dispatch("shading/film_ids", s.count, s.count,
+                      {s.diffuse, s.position, in.scene.corner_a, in.scene.corner_b, film.ids});
 }
 
 }  // namespace
 
-void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size) {
+void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size, const LayerSet& layers) {
   film.size = size;
   film.samples = 0;
-  const gpu::Device& device = recorder.device();
-  const uint64_t pixels = pixels_of(film), most = device.limits().max_binding / sizeof(glm::vec4);
-  if (pixels > most)
-    throw UserError(fmt::format("--size {}x{}: {} holds at most {} pixels in one buffer", size.width, size.height,
-                                device.info().name, most));
-  const uint64_t bytes = pixels * sizeof(glm::vec4);
-  primitives::grow(recorder, film.beauty, bytes, "beauty");
-  primitives::grow(recorder, film.albedo, bytes, "albedo");
-  primitives::grow(recorder, film.normal_depth, bytes, "normals and depth");
-  primitives::grow(recorder, film.points, bytes, "points");
-  primitives::grow(recorder, film.ids, pixels * sizeof(glm::uvec2), "ids");
-  recorder.fill(film.beauty, 0, pixels * 4);
-  recorder.fill(film.albedo, 0, pixels * 4);
+  film.layers = layers;
+  film.layers.add(LayerId::beauty);
+  require_room(recorder.device(), film);
+  reserve(recorder, film);
+  clear(recorder, film);
 }
 
 void begin_sample(Film& film) { ++film.samples; }
 
 void add_sample(gpu::Recorder& recorder, const SampleIn& in, Film& film) {
-  const Push push{in.view.eye, in.surfaces.count, in.view.forward, film.samples == 1 ? 1u : 0u, in.opaque ? 1u : 0u};
   const Surfaces& s = in.surfaces;
-  recorder.dispatch("shading/film", push.count, push,
-                    {in.gathered.total, s.position, s.normal, s.diffuse, s.specular, in.generation.emission,
-                     in.scene.corner_a, in.scene.corner_b, film.beauty, film.albedo, film.normal_depth, film.points,
-                     film.ids});
-}
-
-Picture take_picture(gpu::Recorder& recorder, const Film& film, const raster::CameraView& view) {
-  const uint64_t pixels = pixels_of(film);
-  const float scale = 1.0f / float(std::max(film.samples, 1u));
-  const auto beauty = recorder.read<glm::vec4>(film.beauty, pixels);
-  const auto albedo = recorder.read<glm::vec4>(film.albedo, pixels);
-  const auto geometry = recorder.read<glm::vec4>(film.normal_depth, pixels);
-  Picture picture{film.size.width, film.size.height, {}, view.world_to_camera(), view.world_to_ndc()};
-  picture.layers.push_back(layer_of("", {"R", "G", "B", "A"}, beauty, 0, scale));
-  picture.layers.push_back(layer_of("Z", {"Z"}, geometry, 3, 1));
-  picture.layers.push_back(layer_of("N", {"N.X", "N.Y", "N.Z"}, geometry, 0, 1));
-  picture.layers.push_back(layer_of("Albedo", {"Albedo.R", "Albedo.G", "Albedo.B"}, albedo, 0, scale));
-  return picture;
+  const bool first = film.samples == 1;
+  for (const Summed& layer : summed(in))
+    if (film.layers.has(layer.layer) && (first || !layer.first_sample_only))
+      recorder.dispatch("shading/film_sum", s.count, s.count, {s.diffuse, layer.values, film.sum(layer.layer)});
+  if (film.layers.has(LayerId::albedo))
+    recorder.dispatch("shading/film_albedo", s.count, s.count,
+                      {s.diffuse, s.specular, in.generation.emission, film.sum(LayerId::albedo)});
+  if (first) add_geometry(recorder, in, film);
 }
 
 }  // namespace crsh::shading

@@ -47,7 +47,7 @@ const gpu::Buffer& or_else(const gpu::Buffer& buffer, const gpu::Buffer& stand_i
 }
 
 void gather_portion(gpu::Recorder& recorder, const Generation& g, const Portion& portion, glm::vec3 background,
-                    const Gathered& out) {
+                    const Gathered& out, Parts parts) {
   const Link reflection = link_of(portion.reflection, shared::kind_reflection);
   const Link refraction = link_of(portion.refraction, shared::kind_refraction);
   const gpu::Buffer& nothing = g.emission;
@@ -55,22 +55,25 @@ void gather_portion(gpu::Recorder& recorder, const Generation& g, const Portion&
   const auto totals = [&](const Link& link, const Children* c) -> const gpu::Buffer& {
     return link.any ? or_else(*c->totals, nothing) : nothing;
   };
-  recorder.dispatch("shading/gather", portion.count,
+  recorder.dispatch({"shading/gather", {{0, parts == Parts::wanted}}}, portion.count,
                     Push{portion.first, portion.count, reflection, refraction, background},
                     {g.emission, g.direct, or_else(g.reflection_weight, nothing), or_else(g.refraction_weight, nothing),
                      ends(reflection, portion.reflection), ends(refraction, portion.refraction),
                      totals(reflection, portion.reflection), totals(refraction, portion.refraction), out.total,
-                     out.reflection, out.refraction});
+                     or_else(out.reflection, out.total), or_else(out.refraction, out.total)});
 }
 
 }  // namespace
 
-void gather(gpu::Recorder& recorder, const Generation& generation, glm::vec3 background, Gathered& out) {
+void gather(gpu::Recorder& recorder, const Generation& generation, glm::vec3 background, Gathered& out, Parts parts) {
   const uint64_t bytes = generation.count * uint64_t(sizeof(glm::vec4));
   primitives::grow(recorder, out.total, bytes, "gathered light");
-  primitives::grow(recorder, out.reflection, bytes, "reflected light");
-  primitives::grow(recorder, out.refraction, bytes, "refracted light");
-  for (const Portion& portion : portions_of(generation)) gather_portion(recorder, generation, portion, background, out);
+  if (parts == Parts::wanted) {
+    primitives::grow(recorder, out.reflection, bytes, "reflected light");
+    primitives::grow(recorder, out.refraction, bytes, "refracted light");
+  }
+  for (const Portion& portion : portions_of(generation))
+    gather_portion(recorder, generation, portion, background, out, parts);
 }
 
 }  // namespace crsh::shading

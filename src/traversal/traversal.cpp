@@ -64,6 +64,7 @@ class Descent {
 
   [[nodiscard]] const Level& level(uint32_t index) const { return in_.hierarchy.levels[index]; }
   [[nodiscard]] uint32_t counter(uint32_t which) const { return in_.counter_row + which; }
+  [[nodiscard]] uint32_t first_account(uint32_t kind, uint32_t index) const { return in_.account.first(kind, index + 1); }
   [[nodiscard]] std::string bound(const std::string& kernel) const { return kernel + "@" + in_.options.bound; }
   [[nodiscard]] std::string bound_and_lanes(const std::string& kernel) const { return bound(kernel + device_.lanes()); }
   [[nodiscard]] uint32_t words() const {
@@ -74,12 +75,12 @@ class Descent {
     const uint64_t count = uint64_t(nodes.count) * words();
     grow(recorder_, scratch_.mesh_hits, std::max<uint64_t>(count, 1) * sizeof(uint32_t), "mesh hits");
     const struct {
-      uint32_t first_node, node_count, object_count, use_interval, counter;
+      uint32_t first_node, node_count, object_count, use_interval, counter, first_account;
     } push{nodes.first, nodes.count, in_.scene.instance_count, in_.options.interval,
-           counter(shared::counter_mesh_tests)};
-    recorder_.dispatch(bound("traversal/mesh_spheres"), count, push,
+           counter(shared::counter_mesh_tests), first_account(shared::tests_object, top_)};
+    recorder_.dispatch(in_.account.kernel(bound("traversal/mesh_spheres")), count, push,
                        {level(top_).nodes, level(top_).intervals, in_.scene.object_spheres, scratch_.mesh_hits,
-                        in_.counters},
+                        in_.counters, in_.account.buffer_or(in_.counters)},
                        count * 32);
     recorder_.submit_past(in_.submit_work);
   }
@@ -93,13 +94,15 @@ class Descent {
     const uint32_t lanes = device_.info().subgroup_size;
     const uint32_t padded = (nodes.count + lanes - 1) / lanes * lanes;
     const struct {
-      uint32_t first_node, node_count, padded_nodes, first_block, block_count, words, use_interval, tests, hits;
+      uint32_t first_node, node_count, padded_nodes, first_block, block_count, words, use_interval, tests, hits, first_account;
     } push{nodes.first,  nodes.count,          padded,
            blocks.first, blocks.count,         words(),
-           in_.options.interval, counter(shared::counter_level_tests + top_), counter(shared::counter_level_hits + top_)};
-    recorder_.dispatch(bound_and_lanes("traversal/top"), uint64_t(padded) * blocks.count, push,
+           in_.options.interval, counter(shared::counter_level_tests + top_), counter(shared::counter_level_hits + top_),
+           first_account(shared::tests_node, top_)};
+    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/top")), uint64_t(padded) * blocks.count, push,
                        {level(top_).nodes, level(top_).intervals, in_.scene.blocks, in_.scene.triangle_spheres,
-                        scratch_.mesh_hits, lists.masks, lists.counts, in_.counters},
+                        scratch_.mesh_hits, lists.masks, lists.counts, in_.counters,
+                        in_.account.buffer_or(in_.counters)},
                        masks * shared::block_triangles);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanKind::exclusive);
     const struct {
@@ -150,12 +153,13 @@ class Descent {
     grow(recorder_, lists.counts, quad_bytes(portion.child_count + 1), "pair bases");
     const struct {
       Portion portion;
-      uint32_t use_interval, tests, hits;
+      uint32_t use_interval, tests, hits, first_account;
     } push{portion, in_.options.interval, counter(shared::counter_level_tests + index),
-           counter(shared::counter_level_hits + index)};
-    recorder_.dispatch(bound_and_lanes("traversal/descend"), uint64_t(portion.parent_count) * portion.arity, push,
+           counter(shared::counter_level_hits + index), first_account(shared::tests_node, index)};
+    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/descend")), uint64_t(portion.parent_count) * portion.arity, push,
                        {level(index).nodes, level(index).intervals, level(index + 1).children, bases_of(above, index + 1), above.pairs,
-                        in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters},
+                        in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters,
+                        in_.account.buffer_or(in_.counters)},
                        uint64_t(pairs) * portion.arity);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, portion.child_count + 1,
                      primitives::ScanKind::exclusive);

@@ -7,6 +7,7 @@
 #include "frame/options.h"
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
+#include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "primitives/scan.h"
 #include "scene/upload.h"
@@ -47,6 +48,7 @@ struct In {
   uint64_t submit_work = 0;     ///< tests a submit
   uint64_t most_pairs = 0;      ///< of a list; 0: what memory allows
   uint32_t drop_every = 0;      ///< test-only mutation: every so many-th pair is dropped; 0: none
+  const hierarchy::Account& account = hierarchy::no_account;
 };
 
 /// Level `depth` nodes [first, end) of the hierarchy against all triangles. Calls `intersect` for every portion of

@@ -147,7 +147,7 @@ TEST_CASE("gathering follows slots to rays to children, by kind, and takes the b
   children.totals = &totals;
   made.generation.children.push_back(std::move(children));
   shading::Gathered gathered;
-  shading::gather(recorder, made.generation, {0.125f, 0, 0}, gathered);
+  shading::gather(recorder, made.generation, {0.125f, 0, 0}, gathered, shading::Parts::wanted);
   const auto total = recorder.read<glm::vec4>(gathered.total, 3), reflected = recorder.read<glm::vec4>(gathered.reflection, 3);
   CHECK(total[0] == glm::vec4(2.5f, 1.5f, 1.5f, 1));    // 1 emitted (red), 0.5 direct, half of child 1
   CHECK(total[1] == glm::vec4(4.25f, 4.25f, 4.25f, 1));  // 0.25 direct, half of child 2, a quarter of child 3
@@ -191,23 +191,31 @@ TEST_CASE("the film averages samples, keeps the first one's geometry, and knows 
   points[1].triangle = shared::none;
   for (const bool opaque : {true, false}) {
     shading::Film film;
-    shading::begin_frame(recorder, film, {2, 1});
+    shading::begin_frame(recorder, film, {2, 1}, LayerSet::all());
     for (int sample = 0; sample < 2; ++sample) {
       if (sample == 1) points[0].triangle = shared::none;
       else points[0].triangle = 0;
       const test::HandMade made = test::upload_points(points);
       shading::Gathered gathered;
       gathered.total = gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(2, 4, 6, sample ? 0 : 1), glm::vec4(1, 1, 1, 0)}, "totals");
+      gathered.reflection = gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(1), glm::vec4(0)}, "reflected");
+      gathered.refraction = gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(0), glm::vec4(0)}, "refracted");
       shading::begin_sample(film);
-      shading::add_sample(recorder, {made.surfaces, made.generation, gathered, gpu, raster::CameraView{}, opaque}, film);
+      shading::add_sample(recorder, {made.surfaces, made.generation, gathered, gpu, raster::CameraView{}}, film);
       recorder.submit();
     }
-    const Picture picture = shading::take_picture(recorder, film, raster::CameraView{});
+    const std::optional<glm::vec3> background = opaque ? std::optional(glm::vec3(1)) : std::nullopt;
+    const Picture picture = shading::take_picture(recorder, film, raster::CameraView{}, background);
     CHECK(picture.find("")->values == std::vector<float>{1, 1, 1, opaque ? 1.0f : 0.0f, 2, 4, 6, opaque ? 1.0f : 0.5f});
     CHECK(picture.find("Z")->values == std::vector<float>{1e10f, 3});
     CHECK(picture.find("N")->values == std::vector<float>{0, 0, 0, 0, 0, 1});
     CHECK(picture.find("Albedo")->values[3] == doctest::Approx(0.25));
-    CHECK(recorder.read<glm::uvec2>(film.ids, 2)[1] == glm::uvec2(1, 1));
+    CHECK(picture.find("Object")->ids == std::vector<uint32_t>{0, 1});
+    CHECK(picture.find("Material")->ids == std::vector<uint32_t>{0, 1});
+    CHECK(picture.find("Reflection")->values == std::vector<float>{0, 0, 0, 1, 1, 1});
+    CHECK(picture.find("Background")->values == (opaque ? std::vector<float>{1, 1, 1, 0.5f, 0.5f, 0.5f} : std::vector<float>(6, 0.0f)));
+    CHECK(picture.find("F0")->values[3] == doctest::Approx(0.02));
+    CHECK(picture.find("P")->values == std::vector<float>{0, 0, 0, 0, 0, -3});
   }
 }
 

@@ -27,7 +27,8 @@ struct HandMade {
 
 inline HandMade upload_points(const std::vector<Point>& points) {
   std::vector<glm::vec4> position, normal, geometric, incoming, diffuse, specular, emission;
-  for (const Point& p : points) {
+  for (Point p : points) {
+    if (p.triangle == shared::none) p.normal = p.geometric = p.diffuse = p.specular = p.emission = glm::vec3(0);
     position.emplace_back(p.position, std::bit_cast<float>(p.triangle));
     normal.emplace_back(p.normal, p.transmission);
     geometric.emplace_back(p.geometric, p.roughness);

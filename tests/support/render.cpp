@@ -29,6 +29,7 @@ std::filesystem::path shared_folder() {
 std::string difference(const Layer& a, const Layer& b, uint32_t width) {
   if (a.name != b.name || a.channels != b.channels || a.values.size() != b.values.size())
     return fmt::format("layer '{}' has another shape than layer '{}'", a.name, b.name);
+  if (a.ids != b.ids) return fmt::format("layer '{}' has other numbers", a.name);
   for (size_t i = 0; i < a.values.size(); ++i) {
     if (std::bit_cast<uint32_t>(a.values[i]) == std::bit_cast<uint32_t>(b.values[i])) continue;
     const size_t pixel = i / a.channels.size();

@@ -1,0 +1,32 @@
+// Where a ray's tests go: to its pixel, as 64-bit fixed point (shared/account.h). The includer binds `slots`, `pixels`,
+// `account` and `tests`.
+
+#include "shared/account.h"
+
+uint pixel_of(uint ray, uint surfaces, uint first_surface) {
+  return floatBitsToUint(pixels[first_surface + slots[ray] % surfaces].w);
+}
+
+void add_to_pixel(uint pixel, uvec2 amount) {
+  uint before = atomicAdd(tests[pixel].x, amount.x);
+  uint high = amount.y + (before + amount.x < before ? 1u : 0u);
+  if (high > 0u) atomicAdd(tests[pixel].y, high);
+}
+
+/// A sum of two words and one.
+uvec2 plus(uvec2 sum, uint amount) {
+  uint low = sum.x + amount;
+  return uvec2(low, sum.y + (low < sum.x ? 1u : 0u));
+}
+
+uvec2 fixed_point(uint whole) { return uvec2(whole << tests_fraction_bits, whole >> (32u - tests_fraction_bits)); }
+
+/// What the `rank`-th of `count` rays takes of a node's tests. The shares of all of them differ by one unit at most and
+/// add up to `whole` exactly. Long division, ten bits at a time: `count` is below 2^22 (max_batch_rays).
+uvec2 share_of(uint whole, uint count, uint rank) {
+  uint rest = (whole % count) << 10;
+  uint upper = rest / count;
+  rest = (rest % count) << 10;
+  uint lower = rest / count;
+  return plus(fixed_point(whole / count), (upper << 10 | lower) + (rank < rest % count ? 1u : 0u));
+}

@@ -1,0 +1,13 @@
+// Tests by ray and by node, for the layers Tests.* (C++: hierarchy/account.h). The includer defines ACCOUNT_BINDING.
+// Where a layer is not asked for, ACCOUNT of its tests compiles to nothing.
+
+#include "shared/account.h"
+
+layout(constant_id = 16) const uint accounted = 0u;  // a bit for each of tests_triangle, tests_node, tests_object
+layout(binding = ACCOUNT_BINDING, scalar) buffer Account { uint account[]; };
+
+/// Adds `tests` of this kind to a slot: that of the level's first ray or node, which the host pushes, plus its own.
+#define ACCOUNT(kind, slot, tests)                                               \
+  {                                                                              \
+    if ((accounted & (1u << (kind))) != 0u) atomicAdd(account[slot], tests);     \
+  }

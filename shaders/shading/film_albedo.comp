@@ -1,0 +1,20 @@
+#version 460
+// The base colour of each surface of a sample, added to its pixel. Lane: a surface.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+layout(local_size_x = 64) in;
+#include "lib/invocation.glsl"
+
+layout(push_constant, scalar) uniform Push { uint count; };
+layout(binding = 0, scalar) readonly buffer Diffuses { vec4 diffuses[]; };
+layout(binding = 1, scalar) readonly buffer Speculars { vec4 speculars[]; };
+layout(binding = 2, scalar) readonly buffer Emissions { vec4 emissions[]; };
+layout(binding = 3, scalar) buffer Albedo { vec4 albedo[]; };
+
+void main() {
+  uint i = invocation_index();
+  if (i >= count) return;
+  vec4 diffuse = diffuses[i];
+  float f0_share = emissions[i].w;  // of F0 what is not base colour; negative where nothing was met
+  if (f0_share >= 0.0) albedo[floatBitsToUint(diffuse.w)] += vec4(diffuse.rgb + speculars[i].rgb - vec3(f0_share), 0.0);
+}
