@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.h"
@@ -23,7 +24,7 @@
 namespace crsh::cli {
 namespace {
 
-const char* const examples =
+const std::string examples =
     "Examples:\n"
     "  crsh render scene.glb -o picture.png\n"
     "  crsh render scene.glb -o picture.exr -o picture.png --size 1920x1080 --samples 4\n"
@@ -76,7 +77,7 @@ double exposure_of(Run& run, const Layer& beauty) {
 void write_picture(Run& run, const Picture& picture, const output::PathPattern& pattern, const FrameTask& task) {
   const std::string path = pattern.at(task.number);
   if (pattern.format() == output::Format::exr) {
-    run.clamped += output::write_exr(path, picture, run.command.layers, attributes_of(run.command, task.seconds));
+    run.clamped += output::write_exr(path, picture, picture_layers(run.command.options.layers), attributes_of(run.command, task.seconds));
   } else {
     const Layer& beauty = *picture.find("");
     const std::string bytes = output::encode_png(beauty, picture.width, picture.height, exposure_of(run, beauty));
@@ -138,9 +139,16 @@ void say_what_runs(const RenderCommand& command, const scene::Scene& scene, cons
   say(command, fmt::format("device: {} ({} {}), {}", device.name, device.driver, device.driver_version, device.type));
 }
 
+/// What no file can hold is not rendered.
+void drop_unused_layers(RenderCommand& command) {
+  const auto is_exr = [](const output::PathPattern& pattern) { return pattern.format() == output::Format::exr; };
+  if (std::ranges::none_of(command.outputs, is_exr)) command.options.layers = {LayerId::beauty};
+}
+
 void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   check_combinations(command);
   check_places(command);
+  drop_unused_layers(command);
   const scene::Scene scene = scene::load(command.scene, command.options.scene);
   gpu::Device device(command.device);
   say_what_runs(command, scene, device.info());
@@ -166,7 +174,7 @@ Command render_command() {
           .summary = "Renders a glTF scene (.gltf or .glb) to OpenEXR or PNG.",
           .positionals = {{.name = "SCENE", .set = [command](const std::string& path) { command->scene = path; }}},
           .groups = render_options(*command),
-          .epilogue = examples,
+          .epilogue = layers_help() + "\n" + examples,
           .run = [command](const std::vector<std::string>& line) { run_render(*command, line); }};
 }
 

@@ -236,36 +236,6 @@ OptionGroup device_options(RenderCommand& command) {
            mutation_row(command.options.mutation)}};
 }
 
-/// A layer's name for people, and in a Picture.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> layer_names = {
-    {{"beauty", ""}, {"Z", "Z"}, {"N", "N"}, {"Albedo", "Albedo"}}};
-
-std::vector<std::string> parse_layers(const std::string& text) {
-  std::vector<std::string> allowed = {"all"}, layers;
-  for (const auto& [name, layer] : layer_names) allowed.emplace_back(name);
-  for (const std::string& given : split(text, ',')) {
-    const size_t index = parse_choice(given, allowed);
-    for (size_t layer = 0; layer < layer_names.size(); ++layer)
-      if ((index == 0 || index == layer + 1) && std::ranges::find(layers, layer_names[layer].second) == layers.end())
-        layers.emplace_back(layer_names[layer].second);
-  }
-  return layers;
-}
-
-Option layers_row(std::vector<std::string>& layers) {
-  return {.names = "--layers",
-          .value = "LIST",
-          .help = "Layers of an EXR: beauty, Z, N, Albedo, with commas between, or all.",
-          .set = [&layers](const std::string& text) { layers = parse_layers(text); },
-          .get =
-              [&layers] {
-                std::vector<std::string_view> chosen;
-                for (const auto& [name, layer] : layer_names)
-                  if (std::ranges::find(layers, layer) != layers.end()) chosen.push_back(name);
-                return with_commas(chosen);
-              }};
-}
-
 Option exposure_row(std::optional<float>& exposure) {
   return {.names = "--exposure",
           .value = "EV|auto",
@@ -291,7 +261,7 @@ Option output_row(std::vector<output::PathPattern>& outputs) {
 OptionGroup output_options(RenderCommand& command) {
   return {
       "Output",
-      {output_row(command.outputs), exposure_row(command.exposure), layers_row(command.layers),
+      {output_row(command.outputs), exposure_row(command.exposure), layers_option(command.options.layers),
        not_effective(text("--stats", "FILE|-", "Write counters and times of the run as JSON.", command.stats)),
        with_default("auto: a bar on a terminal",
                     not_effective(choice("--progress", "auto|json|none", "Say on standard error how far the render is.",

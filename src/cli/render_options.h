@@ -34,7 +34,6 @@ struct RenderCommand {
   gpu::DeviceRequest device;
   std::vector<output::PathPattern> outputs;
   std::string stats;                                 ///< path, "-" or empty
-  std::vector<std::string> layers = {"", "Z", "N", "Albedo"};  ///< as in Picture
   std::optional<float> exposure = 0.0f;              ///< stops; none: automatic
   std::optional<float> seconds;                      ///< --time
   std::optional<FrameRange> frames;
@@ -47,6 +46,9 @@ struct RenderCommand {
 [[nodiscard]] std::vector<OptionGroup> render_options(RenderCommand& command);
 /// The preset and its switches. Belongs to render_options.
 [[nodiscard]] OptionGroup algorithm_options(AlgorithmOptions& algorithm);
+/// --layers, and a line a layer for the help.
+[[nodiscard]] Option layers_option(LayerSet& layers);
+[[nodiscard]] std::string layers_help();
 
 /// The pictures that the command asks for, in order of time.
 [[nodiscard]] std::vector<FrameTask> frame_tasks(const RenderCommand& command);

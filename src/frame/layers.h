@@ -61,6 +61,11 @@ inline constexpr std::array<LayerRow, layer_count> layer_table = {{
   return names.empty() ? std::vector{std::string(row.name)} : names;
 }
 
+/// A layer's name in a Picture: the beauty's is empty.
+[[nodiscard]] inline std::string picture_layer(LayerId id) {
+  return id == LayerId::beauty ? std::string() : std::string(row_of(id).name);
+}
+
 /// Which layers are wanted.
 class LayerSet {
  public:
@@ -84,5 +89,13 @@ class LayerSet {
 
 /// What an EXR holds unless --layers says otherwise.
 inline const LayerSet default_layers = {LayerId::beauty, LayerId::albedo, LayerId::normal, LayerId::depth};
+
+/// Names in a Picture of all layers of the set.
+[[nodiscard]] inline std::vector<std::string> picture_layers(const LayerSet& layers) {
+  std::vector<std::string> names;
+  for (size_t id = 0; id < layer_count; ++id)
+    if (layers.has(static_cast<LayerId>(id))) names.push_back(picture_layer(static_cast<LayerId>(id)));
+  return names;
+}
 
 }  // namespace crsh

@@ -23,7 +23,7 @@ double difference(const Channel& a, const Channel& b, size_t pixel, Format forma
 }
 
 bool asked_for(const std::vector<std::string>& layers, const std::string& channel) {
-  return std::ranges::any_of(layers, [&](const auto& layer) { return layer == "all" || layer == layer_of(channel); });
+  return std::ranges::any_of(layers, [&](const auto& layer) { return layer == "all" || in_layer(channel, layer); });
 }
 
 std::vector<std::string> names_of(const Image& image, const std::vector<std::string>& layers) {
@@ -39,7 +39,7 @@ void check_layers(const Image& a, const Image& b, const std::vector<std::string>
   for (const Image* image : {&a, &b})
     for (const Channel& channel : image->channels) known.insert(layer_of(channel.name));
   for (const std::string& layer : layers)
-    if (!known.contains(layer))
+    if (names_of(a, {layer}).empty() && names_of(b, {layer}).empty())
       throw UserError(fmt::format("layer {} is in neither image: choose of {}", layer, fmt::join(known, ", ")),
                       Exit::usage);
 }

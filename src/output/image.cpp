@@ -36,6 +36,11 @@ std::string layer_of(std::string_view channel) {
   return std::string(channel.substr(0, channel.rfind('.')));
 }
 
+bool in_layer(std::string_view channel, std::string_view name) {
+  if (name.ends_with(".*")) name.remove_suffix(2);
+  return name == channel || name == layer_of(channel) || channel.starts_with(std::string(name) + ".");
+}
+
 Image read_image(const std::filesystem::path& path) {
   const std::string bytes = read_whole(path);
   if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, path.string());

@@ -34,6 +34,10 @@ inline constexpr uint32_t longest_side = 16384;
 /// The layer that a channel belongs to: "beauty" for R, G, B, A and Y, "N" for "N.X", "Z" for "Z".
 [[nodiscard]] std::string layer_of(std::string_view channel);
 
+/// Whether `name` means this channel: its layer, or a part of its name that ends at a dot ("Tests.node" is in "Tests"), with
+/// or without ".*", or the whole name.
+[[nodiscard]] bool in_layer(std::string_view channel, std::string_view name);
+
 /// An OpenEXR or PNG file, told apart by its first bytes. Throws UserError.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
 

@@ -40,7 +40,7 @@ class Developer {
   }
 
   [[nodiscard]] static Layer empty_layer(LayerId id) {
-    return {.name = id == LayerId::beauty ? "" : std::string(row_of(id).name), .channels = channels_of(id), .values = {}, .ids = {}};
+    return {.name = picture_layer(id), .channels = channels_of(id), .values = {}, .ids = {}};
   }
 
   /// The first channels of vec4s, scaled.

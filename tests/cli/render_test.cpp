@@ -68,6 +68,21 @@ TEST_CASE("--layers chooses what is in the EXR") {
   CHECK(output::read_image(folder / "a.exr").channels.size() == 4);
 }
 
+TEST_CASE("all layers are in the EXR when asked for, the same in every run, and can be compared one by one") {
+  const test::TemporaryFolder folder;
+  const std::string a = folder / "a.exr", b = folder / "b.exr", c = folder / "c.exr";
+  REQUIRE(render({"-o", a, "--layers", "all"}).status == 0);
+  REQUIRE(render({"-o", b, "--layers", "all"}).status == 0);
+  CHECK(output::read_whole(a) == output::read_whole(b));
+  const output::Image image = output::read_image(a);
+  CHECK(image.channels.size() == 38);
+  CHECK(image.find("Object.id")->sample == output::Sample::id);
+  REQUIRE(render({"-o", c, "--layers", "all", "--algorithm", "rah"}).status == 0);
+  for (const char* layer : {"beauty", "Direct", "Reflection.*", "Shadow.Y", "P", "Material.id"})
+    CHECK(crsh({"diff", a, c, "--exact", "--layers", layer}).out == "equal\n");
+  CHECK(crsh({"diff", a, c, "--exact", "--layers", "Tests.triangle"}).status == 3);
+}
+
 TEST_CASE("frames go to files of their own") {
   const test::TemporaryFolder folder;
   const test::Outcome outcome = render({"-o", folder / "f-{frame}.png", "--frames", "8..10", "--progress", "json"});

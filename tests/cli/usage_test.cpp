@@ -70,6 +70,7 @@ TEST_CASE("a wrong option is one line, exit status 2") {
   check_misuse({"render", "a.glb", "-o", "a.png", "--algorithm", "bvh9"}, "brute, rah, crsh-2017, crsh");
   check_misuse({"render", "a.glb", "-o", "a.png", "--eye", "nan,0,0"}, "three finite numbers");
   check_misuse({"render", "a.glb", "-o", "a.jpg"}, "ends in .exr or .png");
+  check_misuse({"render", "a.glb", "-o", "a.exr", "--layers", "Z,Colour"}, "Colour: no such layer: choose of beauty, ");
   check_misuse({"diff", "a"}, "B is missing");
   check_misuse({"info", "a", "b"}, "b: one argument too many");
 }

@@ -104,6 +104,19 @@ TEST_CASE("layers choose the channels; one that neither image has is wrong usage
                        UserError);
 }
 
+TEST_CASE("a layer is meant by its name, its channels' names, or what they begin with") {
+  CHECK(in_layer("R", "beauty"));
+  CHECK_FALSE(in_layer("Reflection.R", "beauty"));
+  CHECK(in_layer("Reflection.R", "Reflection"));
+  CHECK(in_layer("Reflection.R", "Reflection.*"));
+  CHECK(in_layer("Tests.node", "Tests"));
+  CHECK(in_layer("Tests.node", "Tests.node"));
+  CHECK_FALSE(in_layer("Tests.node", "Tests.object"));
+  CHECK_FALSE(in_layer("N.X", "Nothing"));
+  CHECK_FALSE(in_layer("Normal", "N"));
+  CHECK_FALSE(in_layer("N.X", ""));
+}
+
 TEST_CASE("a PNG is not compared with an EXR") {
   CHECK_THROWS_AS((void)compared(byte_image({1}), real_image({1})), UserError);
 }

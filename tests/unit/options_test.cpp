@@ -92,7 +92,7 @@ TEST_CASE("values are read as they are written") {
   CHECK_FALSE(command.options.background);
   CHECK(command.options.rays == std::array<bool, kind_count>{true, false, false});
   CHECK(command.device.memory_budget == uint64_t(256) << 20);
-  CHECK(command.layers == std::vector<std::string>{"Z", ""});
+  CHECK(command.options.layers == LayerSet{LayerId::beauty, LayerId::depth});
   CHECK(command.outputs[0].to_stdout());
   CHECK(command.options.seed == 4294967295u);
   const auto tasks = cli::frame_tasks(command);
@@ -206,6 +206,21 @@ TEST_CASE("an effective value, given again, changes nothing") {
   for (const auto& [name, value] : values.items())
     if (name != "override-mirror") again.push_back("--" + name + "=" + cli::text_of(value));
   CHECK(cli::effective_options(Parsed(again).groups, true) == values);
+}
+
+TEST_CASE("layers are named alone, with others, by their channels or all at once") {
+  const auto chosen = [](const std::string& list) { return Parsed({"--layers", list}).command.options.layers; };
+  CHECK(Parsed({}).command.options.layers == default_layers);
+  CHECK(chosen("all") == LayerSet::all());
+  CHECK(chosen("Z,Direct") == LayerSet{LayerId::depth, LayerId::direct});
+  CHECK(chosen("Direct.*") == LayerSet{LayerId::direct});
+  CHECK(chosen("Shadow.Y,Object.id") == LayerSet{LayerId::shadow, LayerId::object});
+  CHECK(chosen("Tests") == LayerSet{LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests});
+  CHECK(chosen("Tests.node") == LayerSet{LayerId::node_tests});
+  for (const char* wrong : {"", "z", "Direct.R", "Tests.", "Z,", "Z Direct"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_WITH_AS((void)chosen(wrong), Contains("no such layer: choose of beauty, Direct, "), UserError);
+  }
 }
 
 }  // namespace

@@ -49,6 +49,15 @@ TEST_CASE("only the layers that were asked for are written") {
   CHECK(image.find("Z"));
 }
 
+TEST_CASE("numbers are written as such, however large") {
+  Picture picture = test::varied_picture(2, 1);
+  picture.layers.push_back({"Object", {"Object.id"}, {}, {7, UINT32_MAX}});
+  const Image image = decode_exr(encode_exr(picture, std::vector<std::string>{"", "Object"}, {}).bytes, "name");
+  REQUIRE(image.find("Object.id"));
+  CHECK(image.find("Object.id")->sample == Sample::id);
+  CHECK(image.find("Object.id")->bits == std::vector<uint32_t>{7, UINT32_MAX});
+}
+
 TEST_CASE("two writes of a picture give the same bytes, with and without OpenEXR's threads") {
   const Picture picture = test::varied_picture(200, 150);
   const std::string first = encode_exr(picture, all_layers, attributes).bytes;
