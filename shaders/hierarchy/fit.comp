@@ -4,7 +4,6 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "hierarchy/nodes.glsl"
-#include "variant.glsl"
 
 void main() {
   uint i = invocation_index();

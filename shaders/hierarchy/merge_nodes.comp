@@ -4,15 +4,14 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "hierarchy/nodes.glsl"
-#include "variant.glsl"
 
-layout(binding = 4, scalar) readonly buffer ChildNodes { Node child_nodes[]; };
+layout(binding = 4, scalar) readonly buffer ChildNodes { BOUND child_nodes[]; };
 layout(binding = 5, scalar) readonly buffer ChildIntervals { Interval child_intervals[]; };
 
 void main() {
   uint i = invocation_index();
   if (i >= node_count) return;
-  Node node = child_nodes[ranges[i].x];
+  BOUND node = child_nodes[ranges[i].x];
   float far_end = child_intervals[ranges[i].x].far_end;
   for (uint child = ranges[i].x + 1u; child < ranges[i].y; ++child) {
     node = bound_merge(node, child_nodes[child]);

@@ -4,13 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "hierarchy/nodes.glsl"
-#include "variant.glsl"
 
 void main() {
   uint i = invocation_index();
   if (i >= node_count) return;
   Ray ray = sorted_ray(ranges[i].x);
-  Node node = bound_of_ray(ray);
+  BOUND node = bound_of_ray(ray);
   float far_end = ray.origin.w;
   for (uint child = ranges[i].x + 1u; child < ranges[i].y; ++child) {
     ray = sorted_ray(child);

@@ -13,6 +13,8 @@ CRSH_CONST uint block_triangles = 32u;
 CRSH_CONST uint max_batch_triangles = 16384u;
 /// Most rays of one sorted batch (a 128 MiB binding of 32-byte rays).
 CRSH_CONST uint max_batch_rays = 1u << 22;
+/// Children that one lane looks through for where nodes are cut; a node ends at the end of such a run.
+CRSH_CONST uint cut_run = 128u;
 /// Most levels of nodes above the rays.
 CRSH_CONST uint max_levels = 8u;
 

@@ -21,7 +21,7 @@ layout(push_constant, scalar) uniform Push {
   uint hits_counter;
   uint first_account;  // of the level's node 0
 };
-layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
+layout(binding = 0, scalar) readonly buffer Nodes { BOUND nodes[]; };
 layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
 layout(binding = 2, scalar) readonly buffer Children { uvec2 children_of[]; };
 layout(binding = 3, scalar) readonly buffer Bases { uint bases[]; };
@@ -32,6 +32,10 @@ layout(binding = 7, scalar) writeonly buffer Counts { uint counts[]; };
 layout(binding = 8, scalar) buffer Counters { uvec2 counters[]; };
 #define ACCOUNT_BINDING 9
 #include "lib/account.glsl"
+layout(binding = 10, scalar) readonly buffer CornersA { vec4 corner_a[]; };
+layout(binding = 11, scalar) readonly buffer CornersB { vec4 corner_b[]; };
+layout(binding = 12, scalar) readonly buffer CornersC { vec4 corner_c[]; };
+#include "traversal/volumes.glsl"
 
 void main() {
   uint i = invocation_index();
@@ -43,7 +47,7 @@ void main() {
   uint base = portion.first_base + place;
   List list = list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before, place,
                       child_place);
-  Node ray_node = nodes[child];
+  BOUND ray_node = nodes[child];
   Interval interval = intervals[child];
 
   uint hits = 0u;
@@ -54,8 +58,8 @@ void main() {
     uint count = min(32u, list.end - begin);
     uint mask = 0u;
     for (uint k = 0u; k < count; ++k) {
-      vec4 sphere = triangle_spheres[pairs[begin + k].triangle];
-      if (bound_may_hit_sphere(ray_node, interval, sphere, use_interval == 1u)) mask |= 1u << k;
+      Volume volume = load_volume(pairs[begin + k].triangle);
+      if (may_hit(ray_node, interval, volume, use_interval == 1u)) mask |= 1u << k;
     }
     masks[word++] = mask;
     hits += bitCount(mask);
@@ -65,10 +69,10 @@ void main() {
     uint count = min(32u, list.end - begin);
     uint mask = 0u;
     for (uint first = 0u; first < count; first += gl_SubgroupSize) {
-      vec4 mine = triangle_spheres[pairs[begin + min(first + gl_SubgroupInvocationID, count - 1u)].triangle];
+      Volume mine = load_volume(pairs[begin + min(first + gl_SubgroupInvocationID, count - 1u)].triangle);
       uint loaded = min(gl_SubgroupSize, count - first);
       for (uint k = 0u; k < loaded; ++k)
-        if (bound_may_hit_sphere(ray_node, interval, FROM_LANE(mine, k), use_interval == 1u))
+        if (may_hit(ray_node, interval, passed_round(mine, k), use_interval == 1u))
           mask |= 1u << (first + k);
     }
     if (present) masks[word++] = mask;

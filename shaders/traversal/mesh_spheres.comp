@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Push {
   uint counter;
   uint first_account;  // of the level's node 0
 };
-layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
+layout(binding = 0, scalar) readonly buffer Nodes { BOUND nodes[]; };
 layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
 layout(binding = 2, scalar) readonly buffer Spheres { vec4 object_spheres[]; };
 layout(binding = 3, scalar) writeonly buffer MeshHits { uint mesh_hits[]; };
@@ -32,7 +32,7 @@ void main() {
   uint words = (object_count + 31u) / 32u;
   if (i >= node_count * words) return;
   uint word = i / node_count, node = i % node_count;
-  Node ray_node = nodes[first_node + node];
+  BOUND ray_node = nodes[first_node + node];
   Interval interval = intervals[first_node + node];
   uint first = word * 32u, count = min(32u, object_count - first);
   uint bits = 0u;

@@ -1,6 +1,6 @@
 #version 460
 // variants: hierarchy/bounds
-// Top level against the triangles' spheres (section 3.2.5, equation 9): a lane takes one node and one block of at most
+// Top level against the triangles (section 3.2.5, equation 9): a lane takes one node and one block of at most
 // 32 triangles of one object, and skips the block where the node misses the object. Neighbouring lanes take
 // neighbouring nodes, so that they read the same triangles.
 #extension GL_GOOGLE_include_directive : require
@@ -26,7 +26,7 @@ layout(push_constant, scalar) uniform Push {
   uint hits_counter;
   uint first_account;  // of the level's node 0
 };
-layout(binding = 0, scalar) readonly buffer Nodes { Node nodes[]; };
+layout(binding = 0, scalar) readonly buffer Nodes { BOUND nodes[]; };
 layout(binding = 1, scalar) readonly buffer Intervals { Interval intervals[]; };
 layout(binding = 2, scalar) readonly buffer Blocks { uvec4 blocks[]; };  // object, first triangle, triangles
 layout(binding = 3, scalar) readonly buffer TriangleSpheres { vec4 triangle_spheres[]; };
@@ -36,6 +36,10 @@ layout(binding = 6, scalar) writeonly buffer Counts { uint counts[]; };  // of t
 layout(binding = 7, scalar) buffer Counters { uvec2 counters[]; };
 #define ACCOUNT_BINDING 8
 #include "lib/account.glsl"
+layout(binding = 9, scalar) readonly buffer CornersA { vec4 corner_a[]; };
+layout(binding = 10, scalar) readonly buffer CornersB { vec4 corner_b[]; };
+layout(binding = 11, scalar) readonly buffer CornersC { vec4 corner_c[]; };
+#include "traversal/volumes.glsl"
 
 void main() {
   uint i = invocation_index();
@@ -48,20 +52,20 @@ void main() {
     uint word = mesh_hits[node * words + (block.x >> 5u)];
     count = (word >> (block.x & 31u)) % 2u == 1u ? count : 0u;
   }
-  Node ray_node = nodes[first_node + node];
+  BOUND ray_node = nodes[first_node + node];
   Interval interval = intervals[first_node + node];
 
   uint mask = 0u;
   bool together = walk_together(block.y, block.z);
   uint own_end = together ? 0u : count;
   for (uint k = 0u; k < own_end; ++k)
-    if (bound_may_hit_sphere(ray_node, interval, triangle_spheres[block.y + k], use_interval == 1u)) mask |= 1u << k;
+    if (may_hit(ray_node, interval, load_volume(block.y + k), use_interval == 1u)) mask |= 1u << k;
   uint common_end = together && any_lane(count > 0u) ? block.z : 0u;
   for (uint first = 0u; first < common_end; first += gl_SubgroupSize) {
-    vec4 mine = triangle_spheres[block.y + min(first + gl_SubgroupInvocationID, block.z - 1u)];
+    Volume mine = load_volume(block.y + min(first + gl_SubgroupInvocationID, block.z - 1u));
     uint loaded = min(gl_SubgroupSize, block.z - first);
     for (uint k = 0u; k < loaded; ++k)
-      if (bound_may_hit_sphere(ray_node, interval, FROM_LANE(mine, k), use_interval == 1u))
+      if (may_hit(ray_node, interval, passed_round(mine, k), use_interval == 1u))
         mask |= 1u << (first + k);
   }
 

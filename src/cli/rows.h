@@ -37,6 +37,12 @@ Option integer(std::string names, std::string value, std::string help, Integer& 
           .get = [&variable] { return variable; }};
 }
 
+inline Option real(std::string names, std::string value, std::string help, float& variable, float low, float high) {
+  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
+          .set = [&variable, low, high](const std::string& given) { variable = parse_real(given, low, high); },
+          .get = [&variable] { return json_of(variable); }};
+}
+
 /// `words` by the enumeration's (or bool's) value; `value` shows them in the help.
 template <class Enum>
 Option choice(std::string names, std::string value, std::string help, Enum& variable, std::vector<std::string> words) {

@@ -6,7 +6,6 @@
 
 #include "rays/kinds.h"
 #include "shared/counters.h"
-#include "shared/node.h"
 
 namespace crsh {
 namespace {
@@ -23,12 +22,12 @@ LevelStatistics& level_of(RayStatistics& row, uint32_t level) {
 }
 
 /// Adds the nodes of a segment to a level's means.
-void add_nodes(const std::vector<shared::Node>& nodes, hierarchy::Range range, LevelStatistics& level) {
+void add_nodes(const std::vector<glm::vec2>& spreads, hierarchy::Range range, LevelStatistics& level) {
   level.nodes += range.count;
   for (uint32_t i = range.first; i < range.end(); ++i) {
-    const float tangent = nodes[i].cone.w;
+    const float tangent = spreads[i].x;
     level.half_angle_sum += tangent < 1e30f ? std::atan(double(tangent)) : std::numbers::pi / 2;
-    level.radius_sum += nodes[i].sphere.w;
+    level.radius_sum += spreads[i].y;
   }
 }
 
@@ -72,17 +71,16 @@ std::vector<RayStatistics> empty_rows(uint32_t bounces, uint64_t triangles) {
 }
 
 void add_batch(gpu::Recorder& recorder, const rays::Batch& batch, const coherence::Order& order,
-               const hierarchy::Hierarchy& hierarchy, uint32_t bounce, Statistics& statistics) {
-  std::vector<std::vector<shared::Node>> nodes;
-  for (uint32_t l = 0; l < hierarchy.depth; ++l)
-    nodes.push_back(recorder.read<shared::Node>(hierarchy.levels[l].nodes, hierarchy.levels[l].count));
+               hierarchy::Hierarchy& hierarchy, uint32_t bounce, Statistics& statistics) {
+  std::vector<std::vector<glm::vec2>> spreads;
+  for (uint32_t l = 0; l < hierarchy.depth; ++l) spreads.push_back(hierarchy::spreads(recorder, hierarchy, l));
   for (size_t s = 0; s < batch.segments.size(); ++s) {
     RayStatistics& row = row_of(statistics, bounce, batch.segments[s].kind);
     row.count += batch.segments[s].count;
     row.chunks += s < order.chunks.size() ? order.chunks[s] : 0;
     for (uint32_t l = 0; l < hierarchy.depth; ++l)
       if (hierarchy.levels[l].segments[s].count)
-        add_nodes(nodes[l], hierarchy.levels[l].segments[s], level_of(row, l + 1));
+        add_nodes(spreads[l], hierarchy.levels[l].segments[s], level_of(row, l + 1));
   }
 }
 

@@ -36,6 +36,6 @@ class Counters {
 
 /// Adds what the host knows of a batch: rays, brute force's product, chunks, nodes of each level and their means.
 void add_batch(gpu::Recorder& recorder, const rays::Batch& batch, const coherence::Order& order,
-               const hierarchy::Hierarchy& hierarchy, uint32_t bounce, Statistics& statistics);
+               hierarchy::Hierarchy& hierarchy, uint32_t bounce, Statistics& statistics);
 
 }  // namespace crsh

@@ -35,12 +35,14 @@ AlgorithmOptions crsh_2017() {
   return options;
 }
 
-/// Our best: bounds fitted to all rays, each kind with its best key.
+/// Our best: each kind with its best key, nodes that end where coherence does, and the tightest bound.
 AlgorithmOptions crsh_best() {
   AlgorithmOptions options;
   options.preset = "crsh";
-  options.levels = {4, 3, 3};
+  options.levels = {5, 4, 4};
   options.compression = false;
+  options.nodes = NodeCut::cut;
+  options.bound = "slab-edges";
   for (size_t kind = 0; kind < kind_count; ++kind) options.keys[kind] = ray_kinds[kind].best_key;
   return options;
 }

@@ -39,6 +39,7 @@ struct AlgorithmOptions {
   RayOrder ray_order = RayOrder::scanline;
   bool compression = true;
   NodeCut nodes = NodeCut::fixed;
+  float cut_angle = 0.1f;                   ///< radians: cut level-1 nodes end where rays are farther from the first
   uint32_t arity = 8;
   std::array<uint32_t, kind_count> levels = {2, 2, 2};
   std::string bound = "sphere-cone";

@@ -32,6 +32,9 @@ struct Kernel {
 /// Every embedded file, sorted: what the build found (keys and bounds are listed from this).
 [[nodiscard]] std::vector<std::string_view> embedded_files();
 
+/// The default value of a shader's specialisation constant: what a variant declares of itself. Asserts that it has one.
+[[nodiscard]] uint32_t declared_constant(std::string_view file, uint32_t constant_id);
+
 enum class Resource { storage_buffer, storage_image };
 
 /// What a module declares in set 0 and for itself; the small part of SPIR-V reflection that dispatches need.

@@ -193,4 +193,12 @@ Reflection reflect_together(std::span<const std::span<const uint32_t>> modules) 
   return reflection;
 }
 
+uint32_t declared_constant(std::string_view file, uint32_t constant_id) {
+  const Module module = parse(embedded_spirv(file));
+  for (const auto& [id, declared_id] : module.spec_id)
+    if (declared_id == constant_id) return constant(module, id);
+  CRSH_ASSERT(false, std::string(file) + " lacks the specialisation constant " + std::to_string(constant_id));
+  return 0;
+}
+
 }  // namespace crsh::gpu

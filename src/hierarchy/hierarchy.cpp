@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "hierarchy/grouping.h"
+#include "primitives/grow.h"
 #include "shared/limits.h"
 #include "shared/node.h"
 #include "shared/ray.h"
@@ -13,8 +15,11 @@ namespace {
 /// Above so many rays a node, fitted bounds are merged from the level below: a lane's loops have to end.
 constexpr uint64_t most_fitted_rays = 8192;
 
-uint32_t wanted_levels(const rays::Segment& segment, const AlgorithmOptions& options) {
-  return segment.count == 0 ? 0 : options.levels[segment.kind];
+/// What a bound's file declares of itself, by constant_id (shaders/hierarchy/bounds).
+constexpr uint32_t bound_bytes_id = 9, bound_merge_fits_id = 10;
+
+uint32_t declared(const std::string& bound, uint32_t constant_id) {
+  return gpu::declared_constant("hierarchy/fit@" + bound + ".comp", constant_id);
 }
 
 uint32_t depth_of(const In& in) {
@@ -30,63 +35,32 @@ std::vector<Range> ray_ranges(const In& in) {
   return ranges;
 }
 
-std::vector<Range> node_ranges(const In& in, const std::vector<Range>& below, uint32_t level) {
-  std::vector<Range> ranges;
-  uint32_t next = 0;
-  for (size_t s = 0; s < below.size(); ++s) {
-    const bool has_level = wanted_levels(in.segments[s], in.options) >= level;
-    const uint32_t count = has_level ? (below[s].count + in.options.arity - 1) / in.options.arity : 0;
-    ranges.push_back({next, count});
-    next += count;
-  }
-  return ranges;
+/// Whether a level's bounds are fitted to all rays below, by a lane a node; else they are merged from the children.
+bool is_fitted(const AlgorithmOptions& options, uint32_t index) {
+  uint64_t rays_a_node = 1;
+  for (uint32_t l = 0; l <= index && rays_a_node <= most_fitted_rays; ++l) rays_a_node *= options.arity;
+  return options.fit == Fit::all && rays_a_node <= most_fitted_rays && !declared(options.bound, bound_merge_fits_id);
 }
 
-void reserve(gpu::Device& device, Level& level, uint32_t children) {
-  const uint64_t n = level.count;
-  level.nodes.reserve(device, n * sizeof(shared::Node), "nodes");
-  level.intervals.reserve(device, n * sizeof(shared::Interval), "node intervals");
-  level.children.reserve(device, n * sizeof(glm::uvec2), "ranges of children");
-  level.rays.reserve(device, n * sizeof(glm::uvec2), "ranges of rays");
-  level.parents.reserve(device, uint64_t(children) * sizeof(uint32_t), "parents");
-}
-
-struct GroupPush {
-  uint32_t first_child, children, first_node, arity, rays_below;
-};
-
-/// Every `arity` children a node, segment by segment.
-void group(gpu::Recorder& recorder, const In& in, const Hierarchy& out, uint32_t index) {
-  const Level& level = out.levels[index];
-  const gpu::Buffer& rays_of_child = index == 0 ? level.children : out.levels[index - 1].rays;  // level 1: not read
-  for (size_t s = 0; s < level.segments.size(); ++s) {
-    if (!level.segments[s].count) continue;
-    const Range children = level.child_segments[s];
-    const GroupPush push{children.first, children.count, level.segments[s].first, in.options.arity, index == 0};
-    recorder.dispatch("hierarchy/group", children.count, push,
-                      {rays_of_child, level.parents, level.children, level.rays});
-  }
-}
-
-/// Bounds of one level: fitted to all rays below, or merged from the children.
+/// Bounds of one level.
 void bound(gpu::Recorder& recorder, const In& in, Hierarchy& out, uint32_t index) {
   Level& level = out.levels[index];
+  primitives::grow(recorder, level.nodes, uint64_t(level.count) * declared(in.options.bound, bound_bytes_id), "nodes");
+  primitives::grow(recorder, level.intervals, level.count * sizeof(shared::Interval), "node intervals");
   const std::vector<std::pair<uint32_t, uint32_t>> constants = {
       {0, std::bit_cast<uint32_t>(in.narrow_cones ? 0.99f : 1.0f)}};
-  uint64_t rays_a_node = 1;
-  for (uint32_t l = 0; l <= index && rays_a_node <= most_fitted_rays; ++l) rays_a_node *= in.options.arity;
   const std::string variant = "@" + in.options.bound;
-  if (in.options.fit == Fit::all && rays_a_node <= most_fitted_rays) {
+  if (is_fitted(in.options, index)) {
     recorder.dispatch({"hierarchy/fit" + variant, constants}, level.count, level.count,
-                      {in.sorted_rays, level.rays, level.nodes, level.intervals});
+                      {in.sorted_rays, level.rays, level.nodes, level.intervals}, out.rays);
   } else if (index == 0) {
     recorder.dispatch({"hierarchy/merge_rays" + variant, constants}, level.count, level.count,
-                      {in.sorted_rays, level.children, level.nodes, level.intervals});
+                      {in.sorted_rays, level.children, level.nodes, level.intervals}, out.rays);
   } else {
     const Level& below = out.levels[index - 1];
     recorder.dispatch(
         {"hierarchy/merge_nodes" + variant, constants}, level.count, level.count,
-        {in.sorted_rays, level.children, level.nodes, level.intervals, below.nodes, below.intervals});
+        {in.sorted_rays, level.children, level.nodes, level.intervals, below.nodes, below.intervals}, below.count);
   }
 }
 
@@ -94,6 +68,10 @@ void bound(gpu::Recorder& recorder, const In& in, Hierarchy& out, uint32_t index
 
 Range Level::children_of(Range wanted) const {
   if (wanted.count == 0) return {};
+  if (!cut_children.empty()) {
+    const uint32_t first = cut_children[wanted.first].x;
+    return {first, cut_children[wanted.end() - 1].y - first};
+  }
   const auto boundary = [&](uint32_t node, uint32_t past) {  // first child of `node`, or of the node `past` it
     size_t s = 0;
     while (s + 1 < segments.size() && node >= segments[s].end()) ++s;
@@ -106,27 +84,24 @@ Range Level::children_of(Range wanted) const {
 
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& out) {
   recorder.stage(gpu::Stage::hierarchy_creation);
-  recorder.submit();  // buffers may grow: nothing recorded may still use them
   out.depth = depth_of(in);
+  out.bound = in.options.bound;
   out.rays = 0;
   if (out.levels.size() < out.depth) out.levels.resize(out.depth);
   std::vector<Range> below = ray_ranges(in);
   for (const Range& range : below) out.rays = std::max(out.rays, range.end());
-  uint32_t children = out.rays;
   for (uint32_t index = 0; index < out.depth; ++index) {
-    Level& level = out.levels[index];
-    level.segments = node_ranges(in, below, index + 1);
-    level.count = level.segments.empty() ? 0 : level.segments.back().end();
-    level.child_segments = below;
-    level.most_children = in.options.arity;
-    reserve(recorder.device(), level, children);
-    below = level.segments;
-    children = level.count;
-  }
-  for (uint32_t index = 0; index < out.depth; ++index) {
-    group(recorder, in, out, index);
+    group(recorder, in, below, index, out);
     bound(recorder, in, out, index);
+    below = out.levels[index].segments;
   }
+}
+
+std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index) {
+  const Level& level = hierarchy.levels[index];
+  primitives::grow(recorder, hierarchy.spreads, level.count * sizeof(glm::vec2), "node spreads");
+  recorder.dispatch("hierarchy/spread@" + hierarchy.bound, level.count, level.count, {level.nodes, hierarchy.spreads});
+  return recorder.read<glm::vec2>(hierarchy.spreads, level.count);
 }
 
 }  // namespace crsh::hierarchy

@@ -1,12 +1,15 @@
 #pragma once
-// Section 3.2.4: nodes of sphere and cone over the sorted rays, level by level from below.
+// Section 3.2.4: nodes over the sorted rays, level by level from below.
 
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "frame/options.h"
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
+#include "primitives/compact.h"
 #include "rays/batch.h"
 
 namespace crsh::hierarchy {
@@ -19,7 +22,7 @@ struct Range {
 
 /// One level of nodes; level 1 stands on the rays.
 struct Level {
-  gpu::Buffer nodes;        ///< shared::Node
+  gpu::Buffer nodes;        ///< as the bound has them: shared::Node, shared::Slab
   gpu::Buffer intervals;    ///< shared::Interval
   gpu::Buffer children;     ///< uvec2 a node: [first, end) nodes or rays of the level below
   gpu::Buffer rays;         ///< uvec2 a node: [first, end) sorted positions of its rays
@@ -28,9 +31,18 @@ struct Level {
   std::vector<Range> segments;        ///< nodes by segment of the batch
   std::vector<Range> child_segments;  ///< their children by segment, on the level below
   uint32_t most_children = 0;         ///< of a node
+  std::vector<glm::uvec2> cut_children;  ///< `children`, where nodes are cut and not of one size
 
   /// The children, on the level below, of a run of nodes.
   [[nodiscard]] Range children_of(Range wanted) const;
+};
+
+/// What cutting nodes needs besides, kept between calls.
+struct CutScratch {
+  gpu::Buffer heads;  ///< uint a child: 1 where a node begins
+  gpu::Buffer ends;   ///< uint a child: where the node that begins there ends
+  gpu::Buffer bases;  ///< uint a node: its first child
+  primitives::CompactScratch compact;
 };
 
 /// Buffers are kept between batches and frames and grow when they must.
@@ -38,6 +50,9 @@ struct Hierarchy {
   std::vector<Level> levels;  ///< levels[0] is level 1
   uint32_t depth = 0;         ///< levels in use
   uint32_t rays = 0;
+  std::string bound;          ///< file below shaders/hierarchy/bounds/
+  CutScratch cut;
+  gpu::Buffer spreads;
 };
 
 struct In {
@@ -49,5 +64,9 @@ struct In {
 
 /// Builds up to max(options.levels) levels; segments whose kind wants fewer have no nodes above. Records, may submit.
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& out);
+
+/// For each node of levels[index] the tangent of its half-angle (1e30 and above: a right angle or wider) and its radius,
+/// metres. Submits and waits.
+[[nodiscard]] std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index);
 
 }  // namespace crsh::hierarchy

@@ -1,11 +1,8 @@
 #include "rays/hash.h"
 
-#include <spirv/unified1/spirv.h>
-
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <span>
 
 #include "assertion.h"
 #include "primitives/grow.h"
@@ -25,19 +22,6 @@ struct Push {
 };
 
 std::string kernel_of(std::string_view key) { return std::string(prefix) + std::string(key.empty() ? "creation" : key); }
-
-/// The default value of the specialisation constant with this constant_id.
-uint32_t specialisation_default(std::span<const uint32_t> spirv, uint32_t constant_id) {
-  uint32_t target = 0;
-  constexpr size_t header_words = 5;
-  for (size_t at = header_words; at < spirv.size(); at += spirv[at] >> SpvWordCountShift) {
-    const uint32_t op = spirv[at] & SpvOpCodeMask;
-    if (op == SpvOpDecorate && spirv[at + 2] == SpvDecorationSpecId && spirv[at + 3] == constant_id) target = spirv[at + 1];
-    if (op == SpvOpSpecConstant && spirv[at + 2] == target) return spirv[at + 3];
-  }
-  CRSH_ASSERT(false, "a sort key without its number of bits");
-  return 0;
-}
 
 /// The widest hash of the batch's rays.
 uint32_t widest_hash(const Batch& batch, const Keys& keys) {
@@ -80,7 +64,7 @@ uint32_t hash_bits(std::string_view key, uint32_t kind) {
   static std::map<std::string, std::array<uint32_t, 2>> known;
   const auto [entry, added] = known.try_emplace(file);
   if (added)
-    for (uint32_t id : {0u, 1u}) entry->second[id] = specialisation_default(gpu::embedded_spirv(file), id);
+    for (uint32_t id : {0u, 1u}) entry->second[id] = gpu::declared_constant(file, id);
   return entry->second[kind == shared::kind_shadow ? 0 : 1];
 }
 

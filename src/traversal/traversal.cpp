@@ -102,7 +102,8 @@ class Descent {
     recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/top")), uint64_t(padded) * blocks.count, push,
                        {level(top_).nodes, level(top_).intervals, in_.scene.blocks, in_.scene.triangle_spheres,
                         scratch_.mesh_hits, lists.masks, lists.counts, in_.counters,
-                        in_.account.buffer_or(in_.counters)},
+                        in_.account.buffer_or(in_.counters), in_.scene.corner_a, in_.scene.corner_b,
+                        in_.scene.corner_c},
                        masks * shared::block_triangles);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanKind::exclusive);
     const struct {
@@ -159,7 +160,8 @@ class Descent {
     recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/descend")), uint64_t(portion.parent_count) * portion.arity, push,
                        {level(index).nodes, level(index).intervals, level(index + 1).children, bases_of(above, index + 1), above.pairs,
                         in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters,
-                        in_.account.buffer_or(in_.counters)},
+                        in_.account.buffer_or(in_.counters), in_.scene.corner_a, in_.scene.corner_b,
+                        in_.scene.corner_c},
                        uint64_t(pairs) * portion.arity);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, portion.child_count + 1,
                      primitives::ScanKind::exclusive);

@@ -75,6 +75,7 @@ TEST_CASE("nodes, tests and hits of all levels fit together") {
   for (const uint32_t levels : {1, 2, 3}) {
     RenderOptions options = small("crsh");
     options.algorithm.levels.fill(levels);
+    options.algorithm.nodes = NodeCut::fixed;
     const Rendered rendered = render(own_scene("glass"), options);
     for (const RayStatistics& row : rendered.statistics.rays) {
       CAPTURE(row.kind);
@@ -82,6 +83,21 @@ TEST_CASE("nodes, tests and hits of all levels fit together") {
       CHECK(row.levels.size() == (row.count ? levels : 0));
       check_levels(row, options.algorithm.arity, row.kind == "shadow" ? own_scene("glass").lights.size() : 1);
     }
+  }
+}
+
+TEST_CASE("cut nodes are no fewer than full ones, and each hit of one is a test of every child") {
+  RenderOptions options = small("crsh");
+  const Rendered cut = render(own_scene("glass"), options);
+  options.algorithm.nodes = NodeCut::fixed;
+  const Rendered fixed = render(own_scene("glass"), options);
+  for (size_t r = 0; r < cut.statistics.rays.size(); ++r) {
+    const RayStatistics &row = cut.statistics.rays[r], &full = fixed.statistics.rays[r];
+    CHECK(row.hits_digest == full.hits_digest);
+    REQUIRE(row.levels.size() == full.levels.size());
+    if (row.levels.empty()) continue;
+    CHECK(row.levels.back().nodes >= full.levels.back().nodes);
+    CHECK(row.triangle_tests <= options.algorithm.arity * row.levels.back().hits);
   }
 }
 
@@ -120,6 +136,7 @@ Rendered floor_under_grid() {
   options.view.target = {0, 0, 0};
   options.lights = {{{0.1f, 6, 0.2f}, 30.0f}};
   options.algorithm.levels.fill(2);
+  options.algorithm.nodes = NodeCut::fixed;
   return render(built_scene(triangles, {matt(glm::vec3(0.5f))}), options);
 }
 

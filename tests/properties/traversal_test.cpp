@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
+#include <string>
 #include <vector>
 
 #include "shared/counters.h"
@@ -99,6 +100,45 @@ TEST_CASE("no bound rejects a ray that hits, whatever the arity, levels, fit, in
   }
 }
 
+TEST_CASE("no other bound rejects a ray that hits, with nodes of one size and cut where coherence ends") {
+  Tracer tracer(test::device());
+  for (uint32_t seed = 1; seed <= 6; ++seed) {
+    const World world = make_world(tracer, seed);
+    const Traced all = tracer.trace_all(world.scene, world.rays);
+    for (const char* bound : {"slab", "slab-edges", "sphere-cone"})
+      for (const auto& [arity, levels] : {std::pair{2u, 1u}, {2u, 5u}, {8u, 2u}, {64u, 2u}})
+        for (const uint32_t switches : {0u, 1u, 3u}) {
+          TraceOptions options{algorithm(arity, levels)};
+          options.algorithm.bound = bound;
+          options.algorithm.interval = switches & 1;
+          options.algorithm.nodes = switches & 2 ? NodeCut::cut : NodeCut::fixed;
+          options.algorithm.cut_angle = seed % 2 ? 0.3f : 3.0f;
+          const Traced traced = tracer.trace(world.scene, world.rays, options);
+          CAPTURE(seed);
+          CAPTURE(std::string(bound));
+          CAPTURE(arity);
+          CAPTURE(switches);
+          CHECK(different_hits(traced, all).empty());
+        }
+  }
+}
+
+TEST_CASE("edges tell the halves of a wall apart: a coherent node is left with the triangle that its rays hit") {
+  Tracer tracer(test::device());
+  const scene::GpuScene scene =
+      make_scene(tracer.recorder(), {{.triangles = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}}});
+  Random random(3);
+  std::vector<shared::Ray> rays;
+  for (uint32_t i = 0; i < 8; ++i)
+    rays.push_back(ray_between({0.7f, 0.2f, 1}, glm::vec3(0.8f, 0.3f, 0) + random.point(0.02f), shared::kind_reflection));
+  const SortedBatch batch = make_batch(test::device(), {rays});
+  for (const auto& [bound, pairs] : {std::pair{"slab", 2u}, {"slab-edges", 1u}}) {
+    TraceOptions options{algorithm(8, 1)};
+    options.algorithm.bound = bound;
+    CHECK(tracer.trace(scene, batch, options).pairs.size() == pairs);
+  }
+}
+
 TEST_CASE("an object's sphere holds its triangles' spheres, also where a mesh is modelled far from where it stands") {
   gpu::Recorder recorder(test::device());
   for (uint32_t seed = 1; seed <= 200; ++seed) {
@@ -153,13 +193,14 @@ TEST_CASE("two runs give the same pairs in the same order, and the same counters
   }
 }
 
-TEST_CASE("with cones 1% too narrow a ray is lost") {
+TEST_CASE("with cones or slabs 1% too narrow a ray is lost") {
   Tracer tracer(test::device());
   const World world = make_world(tracer, 1);
   const Traced all = tracer.trace_all(world.scene, world.rays);
-  for (const Fit fit : {Fit::merged, Fit::all}) {
+  for (const auto& [fit, bound] : {std::pair{Fit::merged, "sphere-cone"}, {Fit::all, "sphere-cone"}, {Fit::all, "slab-edges"}}) {
     TraceOptions options{algorithm(8, 2)};
     options.algorithm.fit = fit;
+    options.algorithm.bound = bound;
     CHECK(different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
     options.narrow_cones = true;
     CHECK(!different_hits(tracer.trace(world.scene, world.rays, options), all).empty());

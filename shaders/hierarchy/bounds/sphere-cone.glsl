@@ -9,6 +9,10 @@
 #include "shared/node.h"
 #include "shared/ray.h"
 
+#define BOUND Node
+layout(constant_id = 9) const uint bound_bytes = 32;
+layout(constant_id = 10) const uint bound_merge_fits = 0;
+
 /// Cones from about 89.9 degrees on count as wide: they reject nothing. Vulkan promises no infinities: a large number.
 const float widest_tangent = 1e3;
 const float wide = 1e30;
@@ -127,6 +131,12 @@ Node bound_fit(uint first, uint last) {
 }
 #endif
 
+/// Test-only mutation: the cone too narrow by a factor.
+Node bound_narrowed(Node node, float scale) { return Node(node.sphere, vec4(node.cone.xyz, node.cone.w * scale)); }
+
+/// Tangent of the half-angle (1e30: a right angle or wider) and radius, for the statistics.
+vec2 bound_spread(Node node) { return vec2(node.cone.w, node.sphere.w); }
+
 /// Equation 9 (Roger et al. 2007) on a sphere of objects or of one triangle, with the signed distance along the axis,
 /// so that what lies behind the apex is rejected; and nothing beyond the interval's far end. No epsilon in scene
 /// units: the slack is relative to the distances at hand.
@@ -143,4 +153,11 @@ bool bound_may_hit_sphere(Node node, Interval interval, vec4 sphere, bool use_in
   bool behind = bounded && along + reach + slack < 0.0;
   bool beyond = use_interval && exact_length(v) - reach - slack > interval.far_end * bound_slack;
   return !(outside || behind || beyond);
+}
+
+/// The sphere around the box.
+bool bound_may_hit_box(Node node, Interval interval, vec3 low, vec3 high, bool use_interval) {
+  precise vec3 centre = 0.5 * (low + high);
+  precise float radius = max(chord(high, centre), chord(low, centre)) * bound_slack + bound_pad * largest(centre);
+  return bound_may_hit_sphere(node, interval, vec4(centre, radius), use_interval);
 }

@@ -1,0 +1,57 @@
+// Node bound "slab-edges": the ranges of "slab", and against a triangle also the sides of its edges that the rays pass
+// on. So it tells apart the two halves of a wall, which have one box.
+//
+// A ray from o along d passes the edge from p to q on the side that the sign of f = d · ((p - o) × (q - o)) tells, and
+// hits the triangle only where its three f have the sign of d · n (they sum up to it, n the triangle's normal). Each is
+// linear in o and in d: over the node they range about their values for the middle of both.
+
+#include "hierarchy/slab.glsl"
+
+/// Of |p - o| |q - o|: what the float triangle test (lib/triangle.glsl) may accept beyond an edge, in f, and what the
+/// arithmetic here may lose; both are below 2^-20.
+const float edge_slack = 3.814697265625e-6;
+
+/// The middle of the node's origins and directions, and half of their ranges.
+struct Middle {
+  vec3 origin;
+  vec3 origin_reach;
+  vec3 direction;
+  vec3 direction_reach;
+};
+
+Middle middle_of(Slab node) {
+  precise vec3 origin = 0.5 * (node.origin_low.xyz + node.origin_high.xyz);
+  precise vec3 origin_reach = max(node.origin_high.xyz - origin, origin - node.origin_low.xyz) * bound_slack;
+  precise vec3 direction = 0.5 * (node.direction_low.xyz + node.direction_high.xyz);
+  precise vec3 direction_reach = max(node.direction_high.xyz - direction, direction - node.direction_low.xyz) * bound_slack;
+  return Middle(origin, origin_reach, direction, direction_reach);
+}
+
+float size_of(vec3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }
+
+/// Range of f over the node, from the least to the greatest; p and q are relative to the middle of the origins.
+vec2 side_of_edge(Middle node, vec3 p, vec3 q) {
+  vec3 across = cross(p, q);
+  float middle = dot(node.direction, across);
+  vec3 edge = p - q;
+  vec3 turning = abs(cross(edge, node.direction)) + abs(edge.yzx) * node.direction_reach.zxy + abs(edge.zxy) * node.direction_reach.yzx;
+  float reach = dot(node.direction_reach, abs(across)) + dot(node.origin_reach, turning);
+  float from_any = size_of(node.origin_reach);
+  float slack = edge_slack * (size_of(p) + from_any) * (size_of(q) + from_any) + bound_pad * reach;
+  return vec2(middle - reach - slack, middle + reach + slack);
+}
+
+#define BOUND_TESTS_CORNERS
+bool bound_may_hit_corners(Slab node, Interval interval, vec3 a, vec3 b, vec3 c, bool use_interval) {
+  bool may_hit = slab_may_hit_corners_box(node, interval, a, b, c, use_interval);
+  // Few triangles come so far: a loop, because lavapipe 22.3 never skips an `if`.
+  for (bool candidate = may_hit; candidate; candidate = false) {
+    Middle middle = middle_of(node);
+    vec3 pa = a - middle.origin, pb = b - middle.origin, pc = c - middle.origin;
+    vec2 ab = side_of_edge(middle, pa, pb), bc = side_of_edge(middle, pb, pc), ca = side_of_edge(middle, pc, pa);
+    bool may_be_positive = min(min(ab.y, bc.y), ca.y) >= 0.0;  // all three
+    bool may_be_negative = max(max(ab.x, bc.x), ca.x) <= 0.0;
+    may_hit = may_be_positive || may_be_negative;
+  }
+  return may_hit;
+}

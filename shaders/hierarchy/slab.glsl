@@ -1,0 +1,116 @@
+// Ranges of origins, ends and directions, for the bounds that are made of them. Minima and maxima are exact: merged and
+// fitted bounds are the same. The includer defines CRSH_SORTED_RAYS where it provides `Ray sorted_ray(uint i)`.
+
+#include "lib/exact.glsl"
+#include "lib/triangle.glsl"
+#include "shared/node.h"
+#include "shared/ray.h"
+
+#define BOUND Slab
+layout(constant_id = 9) const uint bound_bytes = 96;
+layout(constant_id = 10) const uint bound_merge_fits = 1;  // merging loses nothing
+
+const float slab_wide = 3e38;
+/// Ends of rays that are longer do not matter, and would overflow.
+const float slab_longest = 1e30;
+/// What lib/triangle.glsl's box is padded by, and half as much again for the rounding of both paddings.
+const float slab_pad = 1.5 * bound_pad;
+/// Interval ends are four rounded operations away from those of one ray.
+const float slab_slack = 1.0 + 8.0 * bound_pad;
+
+/// Where the ray ends, and how far beyond it rounding may put a hit; anywhere for a ray without end.
+void slab_ends(Ray ray, out vec3 low, out vec3 high) {
+  precise vec3 end = ray.origin.xyz + ray.direction.xyz * ray.origin.w;
+  precise vec3 pad = vec3(slab_pad * largest(end) + 4.0 * bound_pad * ray.origin.w);
+  precise vec3 padded_low = end - pad;
+  precise vec3 padded_high = end + pad;
+  bool endless = ray.origin.w > slab_longest;
+  low = endless ? vec3(-slab_wide) : padded_low;
+  high = endless ? vec3(slab_wide) : padded_high;
+}
+
+Slab bound_of_ray(Ray ray) {
+  precise vec3 pad = vec3(slab_pad * largest(ray.origin.xyz));
+  precise vec3 low = ray.origin.xyz - pad;
+  precise vec3 high = ray.origin.xyz + pad;
+  vec3 end_low, end_high;
+  slab_ends(ray, end_low, end_high);
+  return Slab(vec4(low, 0.0), vec4(high, 0.0), vec4(ray.direction.xyz, 0.0), vec4(ray.direction.xyz, 0.0),
+              vec4(end_low, 0.0), vec4(end_high, 0.0));
+}
+
+Slab bound_merge(Slab a, Slab b) {
+  return Slab(min(a.origin_low, b.origin_low), max(a.origin_high, b.origin_high),
+              min(a.direction_low, b.direction_low), max(a.direction_high, b.direction_high),
+              min(a.end_low, b.end_low), max(a.end_high, b.end_high));
+}
+
+Slab bound_merge_ray(Slab node, Ray ray) { return bound_merge(node, bound_of_ray(ray)); }
+
+#ifdef CRSH_SORTED_RAYS
+/// Of rays first .. last-1.
+Slab bound_fit(uint first, uint last) {
+  Slab node = bound_of_ray(sorted_ray(first));
+  for (uint i = first + 1u; i < last; ++i) node = bound_merge_ray(node, sorted_ray(i));
+  return node;
+}
+#endif
+
+/// Test-only mutation: every range of directions narrower by a factor.
+Slab bound_narrowed(Slab node, float scale) {
+  vec4 middle = 0.5 * (node.direction_low + node.direction_high), half_range = node.direction_high - middle;
+  return Slab(node.origin_low, node.origin_high, middle - half_range * scale, middle + half_range * scale,
+              node.end_low, node.end_high);
+}
+
+/// Tangent of the half-angle (3e38: a right angle) and radius of the ranges, for the statistics.
+vec2 bound_spread(Slab node) {
+  float radius = 0.5 * exact_length(node.origin_high.xyz - node.origin_low.xyz);
+  float sine = min(0.5 * exact_length(node.direction_high.xyz - node.direction_low.xyz), 1.0);
+  return vec2(sine < 1.0 ? sine / sqrt(1.0 - sine * sine) : slab_wide, radius);
+}
+
+/// Whether the box reaches into what lies between the rays' origins and their ends.
+bool slab_passes(Slab node, vec3 low, vec3 high) {
+  return all(lessThanEqual(min(node.origin_low.xyz, node.end_low.xyz), high)) &&
+         all(greaterThanEqual(max(node.origin_high.xyz, node.end_high.xyz), low));
+}
+
+/// Whether a ray of the node can be within low .. high: the slab test in interval arithmetic, conservative for every
+/// ray's own. Along an axis rays come in between (low - origin) / direction at the quickest and leave at the slowest;
+/// where some go forward and some backward, or stay, they need not leave at all.
+bool bound_may_hit_box(Slab node, Interval interval, vec3 low, vec3 high, bool use_interval) {
+  vec3 inverse_low = safe_inverse(node.direction_low.xyz), inverse_high = safe_inverse(node.direction_high.xyz);
+  bvec3 forward = greaterThanEqual(node.direction_high.xyz, vec3(0.0));
+  bvec3 backward = lessThan(node.direction_low.xyz, vec3(0.0));
+  precise vec3 ahead = low - node.origin_high.xyz;   // > 0: only rays that go forward come there
+  precise vec3 behind = high - node.origin_low.xyz;  // < 0: only rays that go backward do
+  precise vec3 quickest = ahead * inverse_high;      // all backward: when the slowest leaves
+  precise vec3 slowest = behind * inverse_low;       // some backward: when the quickest of them enters
+  vec3 enter3 = max(mix(vec3(0.0), quickest, greaterThan(ahead, vec3(0.0))),
+                    mix(vec3(0.0), slowest, lessThan(behind, vec3(0.0))));
+  vec3 leave3 = mix(slowest, mix(quickest, vec3(slab_wide), forward), backward);
+  float enter = max(max(enter3.x, enter3.y), enter3.z);
+  float leave = min(min(leave3.x, leave3.y), leave3.z);
+  precise float last = (use_interval ? min(leave, interval.far_end) : leave) * slab_slack;
+  bvec3 towards = bvec3(forward.x || ahead.x <= 0.0, forward.y || ahead.y <= 0.0, forward.z || ahead.z <= 0.0);
+  bvec3 back = bvec3(backward.x || behind.x >= 0.0, backward.y || behind.y >= 0.0, backward.z || behind.z >= 0.0);
+  return all(towards) && all(back) && enter <= last && (!use_interval || slab_passes(node, low, high));
+}
+
+bool bound_may_hit_sphere(Slab node, Interval interval, vec4 sphere, bool use_interval) {
+  precise vec3 low = sphere.xyz - vec3(sphere.w);
+  precise vec3 high = sphere.xyz + vec3(sphere.w);
+  precise vec3 pad = vec3(bound_pad * (largest(sphere.xyz) + sphere.w));
+  precise vec3 padded_low = low - pad;
+  precise vec3 padded_high = high + pad;
+  return bound_may_hit_box(node, interval, padded_low, padded_high, use_interval);
+}
+
+/// The triangle's own padded box; its padding by the origins stands in the node.
+bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3 c, bool use_interval) {
+  precise vec3 pad = vec3(slab_pad * max(max(largest(a), largest(b)), largest(c)));
+  precise vec3 low = min(min(a, b), c) - pad;
+  precise vec3 high = max(max(a, b), c) + pad;
+  return bound_may_hit_box(node, interval, low, high, use_interval);
+}

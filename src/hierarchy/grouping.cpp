@@ -1,0 +1,123 @@
+#include "hierarchy/grouping.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "primitives/grow.h"
+#include "shared/limits.h"
+
+namespace crsh::hierarchy {
+namespace {
+
+using primitives::grow;
+using primitives::quad_bytes;
+
+/// Children of a level, all segments together.
+uint32_t count_children(const std::vector<Range>& below) {
+  uint32_t count = 0;
+  for (const Range& range : below) count = std::max(count, range.end());
+  return count;
+}
+
+/// Room for the level's ranges; bounds follow in reserve_bounds().
+void reserve_ranges(gpu::Recorder& recorder, Level& level, uint32_t children) {
+  grow(recorder, level.children, level.count * sizeof(glm::uvec2), "ranges of children");
+  grow(recorder, level.rays, level.count * sizeof(glm::uvec2), "ranges of rays");
+  grow(recorder, level.parents, uint64_t(children) * sizeof(uint32_t), "parents");
+}
+
+/// The ray ranges of the children; level 1 has none, and does not read them.
+const gpu::Buffer& rays_of_children(const Hierarchy& out, uint32_t index) {
+  return index == 0 ? out.levels[index].children : out.levels[index - 1].rays;
+}
+
+/// Every `arity` children a node, segment by segment.
+void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
+  Level& level = out.levels[index];
+  level.segments.clear();
+  level.count = 0;
+  for (size_t s = 0; s < below.size(); ++s) {
+    const bool has_level = wanted_levels(in.segments[s], in.options) > index;
+    const uint32_t count = has_level ? (below[s].count + in.options.arity - 1) / in.options.arity : 0;
+    level.segments.push_back({level.count, count});
+    level.count += count;
+  }
+  reserve_ranges(recorder, level, count_children(below));
+  for (size_t s = 0; s < below.size(); ++s) {
+    if (!level.segments[s].count) continue;
+    const struct {
+      uint32_t first_child, children, first_node, arity, rays_below;
+    } push{below[s].first, below[s].count, level.segments[s].first, in.options.arity, index == 0};
+    recorder.dispatch("hierarchy/group", below[s].count, push,
+                      {rays_of_children(out, index), level.parents, level.children, level.rays});
+  }
+}
+
+/// Flags the children with which nodes begin, and notes where these nodes end.
+void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
+  const uint32_t children = count_children(below);
+  grow(recorder, out.cut.heads, quad_bytes(children), "node heads");
+  grow(recorder, out.cut.ends, quad_bytes(children), "node ends");
+  grow(recorder, out.levels[index].children, sizeof(glm::uvec2), "ranges of children");
+  const float angle = in.options.cut_angle;
+  const float chord = angle < 3 ? 2 * std::sin(angle / 2) : 2.5f;
+  for (size_t s = 0; s < below.size(); ++s) {
+    if (wanted_levels(in.segments[s], in.options) <= index) {
+      recorder.fill(out.cut.heads, 0, below[s].count, below[s].first);
+      continue;
+    }
+    const struct {
+      uint32_t first_child, children, arity, rays_below;
+      float chord;
+    } push{below[s].first, below[s].count, in.options.arity, index == 0, chord};
+    recorder.dispatch("hierarchy/cut", (uint64_t(below[s].count) + shared::cut_run - 1) / shared::cut_run, push,
+                      {in.sorted_rays, rays_of_children(out, index), out.cut.heads, out.cut.ends}, below[s].count);
+  }
+}
+
+/// The nodes of each segment, from the first children of all nodes.
+std::vector<Range> segments_of(const std::vector<glm::uvec2>& children, const std::vector<Range>& below) {
+  const auto first_from = [&](uint32_t child) {
+    return uint32_t(std::ranges::lower_bound(children, child, {}, &glm::uvec2::x) - children.begin());
+  };
+  std::vector<Range> segments;
+  for (const Range& range : below) {
+    const uint32_t first = first_from(range.first);
+    segments.push_back({first, first_from(range.end()) - first});
+  }
+  return segments;
+}
+
+/// Nodes of level 1 end where coherence ends: head flags, their scan, bases and sizes, as the paper compresses rays to
+/// chunks. (Cut as well, higher levels would have too many nodes, which are tested against the whole scene.)
+void group_cut(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
+  Level& level = out.levels[index];
+  const uint32_t children = count_children(below);
+  flag_heads(recorder, in, below, index, out);
+  level.count = primitives::compact(recorder, out.cut.compact, out.cut.heads, children, out.cut.bases);
+  reserve_ranges(recorder, level, children);
+  const struct {
+    uint32_t nodes, rays_below;
+  } push{level.count, index == 0};
+  recorder.dispatch("hierarchy/group_cut", level.count, push,
+                    {rays_of_children(out, index), out.cut.bases, out.cut.ends, level.parents, level.children, level.rays});
+  level.cut_children = recorder.read<glm::uvec2>(level.children, level.count);
+  level.segments = segments_of(level.cut_children, below);
+}
+
+}  // namespace
+
+uint32_t wanted_levels(const rays::Segment& segment, const AlgorithmOptions& options) {
+  return segment.count == 0 ? 0 : options.levels[segment.kind];
+}
+
+void group(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
+  Level& level = out.levels[index];
+  level.child_segments = below;
+  level.most_children = in.options.arity;
+  level.cut_children.clear();
+  in.options.nodes == NodeCut::cut && index == 0 ? group_cut(recorder, in, below, index, out)
+      : group_fixed(recorder, in, below, index, out);
+}
+
+}  // namespace crsh::hierarchy
