@@ -52,6 +52,7 @@ void Counters::add_to(gpu::Recorder& recorder, Statistics& statistics) const {
     const uint64_t* counter = &values[uint64_t(r) * shared::counters_per_row];
     RayStatistics& row = statistics.rays[r];
     row.mesh_tests += counter[shared::counter_mesh_tests];
+    row.box_tests += counter[shared::counter_box_tests];
     row.triangle_tests += counter[shared::counter_triangle_tests];
     row.hits += counter[shared::counter_ray_hits];
     row.hits_digest += counter[shared::counter_digest];

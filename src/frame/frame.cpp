@@ -66,6 +66,17 @@ void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t boun
   }
 }
 
+/// Step 6 for rays one by one.
+void trace_single(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  s.batch.hierarchy.depth = 0;
+  s.batch.order.chunks.clear();
+  begin_account(s, batch);
+  for (const rays::Segment& segment : batch.segments)
+    intersection::intersect_single(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
+                                                Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account},
+                                   s.objects, segment, s.batch.single);
+}
+
 /// Step 6 without any structure.
 void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   s.batch.hierarchy.depth = 0;
@@ -74,6 +85,14 @@ void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) 
   for (const rays::Segment& segment : batch.segments)
     intersection::intersect_all(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
                                              Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account}, segment);
+}
+
+void trace(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  switch (s.options.algorithm.walk) {
+    case Walk::nodes: return trace_hierarchy(s, batch, bounce);
+    case Walk::single_rays: return trace_single(s, batch, bounce);
+    case Walk::brute: return trace_brute(s, batch, bounce);
+  }
 }
 
 /// Steps 3 to 6 for the rays of one plan: created, trimmed, traced. The hits are in state.batch.hits.
@@ -89,7 +108,7 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
   if (batch.count == 0) return batch;
   primitives::grow(s.recorder, s.batch.hits, uint64_t(batch.count) * sizeof(shared::Hit), "hits");
   intersection::clear(s.recorder, batch, s.batch.hits);
-  s.options.algorithm.brute ? trace_brute(s, batch, bounce) : trace_hierarchy(s, batch, bounce);
+  trace(s, batch, bounce);
   for (const rays::Segment& segment : batch.segments)
     intersection::digest(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
                                       Counters::row(bounce, segment.kind), s.options.submit_work},
@@ -188,6 +207,9 @@ Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progres
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   s.recorder.stage(gpu::Stage::raster);
   scene::animate(s.recorder, s.gpu_scene, s.scene, pose, s.lights);
+  if (s.options.algorithm.object_hierarchy)
+    objects::update(s.recorder, {s.gpu_scene, pose.instances, s.options.submit_work}, s.objects);
+  s.recorder.stage(gpu::Stage::raster);
   shading::begin_frame(s.recorder, s.film, s.size, s.options.layers);
   s.paths.generations.resize(s.options.bounces + 2);
   s.paths.gathered.resize(s.options.bounces + 2);

@@ -11,8 +11,17 @@ namespace {
 AlgorithmOptions brute() {
   AlgorithmOptions options;
   options.preset = "brute";
-  options.brute = true;
+  options.walk = Walk::brute;
   options.compression = options.interval = options.mesh_culling = false;
+  return options;
+}
+
+/// What anybody would write: rays one by one through the object hierarchy.
+AlgorithmOptions bvh() {
+  AlgorithmOptions options = brute();
+  options.preset = "bvh";
+  options.walk = Walk::single_rays;
+  options.object_hierarchy = true;
   return options;
 }
 
@@ -50,12 +59,13 @@ AlgorithmOptions crsh_best() {
 }  // namespace
 
 const std::vector<std::string>& preset_names() {
-  static const std::vector<std::string> names = {"brute", "rah", "crsh-2017", "crsh"};
+  static const std::vector<std::string> names = {"brute", "bvh", "rah", "crsh-2017", "crsh"};
   return names;
 }
 
 AlgorithmOptions preset(const std::string& name) {
   if (name == "brute") return brute();
+  if (name == "bvh") return bvh();
   if (name == "rah") return rah();
   if (name == "crsh-2017") return crsh_2017();
   if (name == "crsh") return crsh_best();

@@ -30,11 +30,14 @@ struct ViewOption {
 enum class RayOrder { scanline, tiles };
 enum class NodeCut { fixed, cut };
 enum class Fit { merged, all };
+/// What meets the scene: nodes of rays, or single rays; by themselves, or through the object hierarchy.
+enum class Walk { nodes, brute, single_rays };
 
 /// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
 struct AlgorithmOptions {
   std::string preset = "crsh";
-  bool brute = false;                        ///< every ray against every triangle: nothing below matters
+  Walk walk = Walk::nodes;                   ///< brute: every ray against every triangle. Unless nodes: no switch matters
+  bool object_hierarchy = false;             ///< there is one over the triangles (objects/)
   std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
   RayOrder ray_order = RayOrder::scanline;
   bool compression = true;
@@ -49,7 +52,7 @@ struct AlgorithmOptions {
   bool mixed_batches = true;                 ///< ray kinds of a bounce are sorted and bundled together
 };
 
-/// The preset of this name: brute, rah, crsh-2017 or crsh. Throws UserError that lists them for any other.
+/// The preset of this name: brute, bvh, rah, crsh-2017 or crsh. Throws UserError that lists them for any other.
 [[nodiscard]] AlgorithmOptions preset(const std::string& name);
 /// Names of all presets, in the order in which tables show them.
 [[nodiscard]] const std::vector<std::string>& preset_names();

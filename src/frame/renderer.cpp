@@ -141,6 +141,7 @@ Picture Renderer::render(double seconds, const Progress& progress) {
   const auto finish = [&](Picture picture) {
     s.statistics.lights = s.gpu_scene.light_count;
     add(s.statistics, s.frame_statistics);
+    s.statistics.object_hierarchy = {s.objects.builds, s.objects.refits, s.objects.cost};
     s.statistics.frames.push_back(s.frame_statistics.frames.front());
     s.statistics.device_peak_bytes = std::max(s.statistics.device_peak_bytes, s.device.peak_bytes());
     return picture;

@@ -11,6 +11,8 @@
 #include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "intersection/intersection.h"
+#include "intersection/single.h"
+#include "objects/hierarchy.h"
 #include "raster/raster.h"
 #include "rays/create.h"
 #include "scene/upload.h"
@@ -32,6 +34,7 @@ struct BatchBuffers {
   hierarchy::Hierarchy hierarchy;
   hierarchy::Account account;
   traversal::Scratch traversal;
+  intersection::SingleScratch single;
 };
 
 /// The surfaces of generation 0, of two later ones in turn, and what is kept of each until the gathering.
@@ -57,6 +60,7 @@ struct Renderer::State {
   raster::ImageSize size;
   scene::LightRig lights;
   scene::GpuScene gpu_scene;
+  objects::Hierarchy objects;             ///< where the algorithm wants one
   std::optional<Counters> counters;
   raster::GBuffer gbuffer;
   PathBuffers paths;

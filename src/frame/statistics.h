@@ -39,9 +39,16 @@ struct FrameTime {
   std::array<double, gpu::stage_count> stage_ms{};    ///< GPU timestamps
 };
 
+/// What the object hierarchy took, where the algorithm has one.
+struct ObjectHierarchyStatistics {
+  uint64_t builds = 0, refits = 0;
+  double sah_cost = 0;  ///< of the last frame: tests that the surface area heuristic expects of a ray
+};
+
 struct Statistics {
   uint64_t triangles = 0, meshes = 0, instances = 0, lights = 0;
   std::vector<RayStatistics> rays;  ///< by bounce, then kind
+  ObjectHierarchyStatistics object_hierarchy;
   std::vector<FrameTime> frames;
   uint64_t device_peak_bytes = 0;
 };

@@ -127,6 +127,10 @@ Json stats_json(const RunDescription& run, const Statistics& statistics) {
           {"frame_ms", frame_json(statistics.frames)},
           {"stages", stages_json(statistics.frames)},
           {"rays", std::move(rays)},
+          {"object_hierarchy",
+           {{"builds", statistics.object_hierarchy.builds},
+            {"refits", statistics.object_hierarchy.refits},
+            {"sah_cost", statistics.object_hierarchy.sah_cost}}},
           {"memory", {{"device_peak_bytes", statistics.device_peak_bytes}}}};
 }
 

@@ -27,7 +27,9 @@ struct Parsed {
 };
 
 TEST_CASE("the presets are those of the design") {
-  CHECK(preset("brute").brute);
+  CHECK(preset("brute").walk == Walk::brute);
+  CHECK(preset("bvh").walk == Walk::single_rays);
+  CHECK(preset("bvh").object_hierarchy);
   const AlgorithmOptions rah = preset("rah");
   CHECK(rah.keys[0].empty());
   CHECK(rah.ray_order == RayOrder::tiles);
@@ -48,7 +50,7 @@ TEST_CASE("the presets are those of the design") {
     CHECK(preset(name).preset == name);
     CHECK(preset(name).arity == 8);
   }
-  CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, rah, crsh-2017, crsh"), UserError);
+  CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh"), UserError);
 }
 
 TEST_CASE("the default algorithm is crsh") {

@@ -1,0 +1,43 @@
+#version 460
+// Rays one by one through the object hierarchy. Those that need very many tests are left as they were, and counted: they
+// are walked in portions (single_on.comp). Lane: a ray.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+layout(local_size_x = 64) in;
+#include "intersection/walk.glsl"
+#include "lib/counters.glsl"
+#include "lib/invocation.glsl"
+
+layout(push_constant, scalar) uniform Push {
+  uint first_ray;   // of the segment
+  uint first;       // ray of this dispatch, counted from first_ray
+  uint end;
+  uint box_counter;
+  uint triangle_counter;
+  uint box_account;  // of ray 0
+  uint triangle_account;
+};
+layout(binding = 9, scalar) writeonly buffer Left { uint left[]; };    // a ray of the segment: 1 where it is left
+layout(binding = 10, scalar) buffer LeftCount { uint left_count[]; };
+#define ACCOUNT_BINDING 11
+#include "lib/account.glsl"
+
+void main() {
+  uint i = first + invocation_index();
+  if (i >= end) return;
+  uint id = first_ray + i;
+  Ray ray = rays[id];
+  Walk walk = Walk(0u, 0u, hits[id], 0u, 0u);
+  walk_on(walk, ray, uint(ray.direction.w) == kind_shadow);
+  bool done = walk.next == none;
+  left[i] = done ? 0u : 1u;
+  for (bool counted = !done; counted; counted = false) atomicAdd(left_count[0], 1u);
+  if (done) hits[id] = walk.hit;
+  uint box_tests = done ? walk.box_tests : 0u, triangle_tests = done ? walk.triangle_tests : 0u;
+  ADD_COUNTER(box_counter, box_tests)
+  ADD_COUNTER(triangle_counter, triangle_tests)
+  ACCOUNT(tests_object, box_account + id, box_tests)
+  ACCOUNT(tests_triangle, triangle_account + id, triangle_tests)
+}

@@ -1,0 +1,19 @@
+// The clusters of a build, in Morton order: what is not yet merged. A cluster is a triangle or a node of the raw tree,
+// whose triangles are its leaves and whose nodes are numbered from n - 2 down to the root, 0.
+
+#include "lib/box.glsl"
+#include "shared/object.h"
+
+struct Cluster {
+  Box box;
+  uint ref;    // child_is_leaf and a triangle, or a raw node
+  uint count;  // triangles
+};
+
+Cluster cluster_of(vec4 low, vec4 high) {
+  return Cluster(Box(low.xyz, high.xyz), floatBitsToUint(low.w), floatBitsToUint(high.w));
+}
+
+vec4 low_of(Cluster cluster) { return vec4(cluster.box.low, uintBitsToFloat(cluster.ref)); }
+
+vec4 high_of(Cluster cluster) { return vec4(cluster.box.high, uintBitsToFloat(cluster.count)); }

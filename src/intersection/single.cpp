@@ -1,0 +1,93 @@
+#include "intersection/single.h"
+
+#include <algorithm>
+
+#include "primitives/grow.h"
+#include "shared/counters.h"
+#include "shared/object.h"
+
+namespace crsh::intersection {
+namespace {
+
+/// Tests of a ray, for a submit's account: most rays need fewer. None takes more than `most_tests`, or about, in one
+/// dispatch (shaders/intersection/walk.glsl).
+constexpr uint64_t usual_tests = 256, most_tests = 1280;
+/// Rays that are walked in portions together.
+constexpr uint64_t most_portioned = 4096;
+
+class SingleRays {
+ public:
+  SingleRays(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects, const rays::Segment& segment,
+             SingleScratch& scratch)
+      : recorder_(recorder), in_(in), objects_(objects), segment_(segment), scratch_(scratch) {}
+
+  void run() {
+    primitives::grow(recorder_, scratch_.left, primitives::quad_bytes(segment_.count), "rays left");
+    primitives::grow(recorder_, scratch_.count, sizeof(uint32_t), "number of rays left");
+    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, segment_.count));
+    recorder_.fill(scratch_.count, 0, 1);
+    for (uint32_t first = 0; first < segment_.count; first += tile)
+      walk(first, std::min(tile, segment_.count - first));
+    if (recorder_.read<uint32_t>(scratch_.count, 1)[0]) walk_left();
+  }
+
+ private:
+  /// As both kernels declare them.
+  struct Push {
+    uint32_t first_ray, first, end_or_count, box_counter, triangle_counter, box_account, triangle_account;
+  };
+
+  [[nodiscard]] Push push_of(uint32_t first, uint32_t end_or_count) const {
+    return {segment_.first, first, end_or_count, in_.counter_row + shared::counter_box_tests,
+            in_.counter_row + shared::counter_triangle_tests, in_.account.first(shared::tests_object, 0),
+            in_.account.first(shared::tests_triangle, 0)};
+  }
+
+  void walk(uint32_t first, uint32_t count) {
+    recorder_.dispatch(in_.account.kernel("intersection/single"), count, push_of(first, first + count),
+                       {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits, in_.batch.rays,
+                        in_.counters, objects_.box_low, objects_.box_high, scratch_.left, scratch_.count,
+                        in_.account.buffer_or(in_.counters)},
+                       count * usual_tests);
+    recorder_.submit_past(in_.submit_work);
+  }
+
+  void walk_left() {
+    const uint32_t left = primitives::compact(recorder_, scratch_.compact, scratch_.left, segment_.count, scratch_.list);
+    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / most_tests, 1, most_portioned));
+    primitives::grow(recorder_, scratch_.states, tile * sizeof(glm::uvec2), "states of rays");
+    primitives::grow(recorder_, scratch_.stacks, tile * shared::max_object_depth * sizeof(glm::uvec2), "stacks of rays");
+    for (uint32_t first = 0; first < left; first += tile) walk_in_portions(first, std::min(tile, left - first));
+  }
+
+  /// From the root again, until all have ended.
+  void walk_in_portions(uint32_t first, uint32_t count) {
+    recorder_.fill(scratch_.states, 0, 2 * uint64_t(count));
+    do {
+      recorder_.fill(scratch_.count, 0, 1);
+      recorder_.dispatch(in_.account.kernel("intersection/single_on"), count, push_of(first, count),
+                         {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
+                          in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, scratch_.list,
+                          scratch_.count, scratch_.states, scratch_.stacks,
+                          in_.account.buffer_or(in_.counters)},
+                         count * most_tests);
+    } while (recorder_.read<uint32_t>(scratch_.count, 1)[0]);
+  }
+
+  gpu::Recorder& recorder_;
+  const In& in_;
+  const objects::Hierarchy& objects_;
+  const rays::Segment& segment_;
+  SingleScratch& scratch_;
+};
+
+}  // namespace
+
+void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
+                      const rays::Segment& segment, SingleScratch& scratch) {
+  if (segment.count == 0) return;
+  recorder.stage(gpu::Stage::final_intersection);
+  SingleRays(recorder, in, objects, segment, scratch).run();
+}
+
+}  // namespace crsh::intersection

@@ -1,0 +1,23 @@
+#pragma once
+// Rays one by one through the object hierarchy: what anybody would write, and the one to beat.
+
+#include "intersection/intersection.h"
+#include "objects/hierarchy.h"
+#include "primitives/compact.h"
+
+namespace crsh::intersection {
+
+/// Lists of rays that need very many tests; kept between calls.
+struct SingleScratch {
+  gpu::Buffer left;    ///< uint a ray of the segment: 1 where it is one of these
+  gpu::Buffer count;   ///< one uint: how many have not ended
+  gpu::Buffer list;    ///< uint: the rays
+  gpu::Buffer states, stacks;
+  primitives::CompactScratch compact;
+};
+
+/// The rays of one segment, in creation order, against the scene that `objects` was built over. Submits, and waits.
+void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
+                      const rays::Segment& segment, SingleScratch& scratch);
+
+}  // namespace crsh::intersection

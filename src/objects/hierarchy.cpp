@@ -1,0 +1,63 @@
+#include "objects/hierarchy.h"
+
+#include <algorithm>
+
+#include "objects/build.h"
+
+namespace crsh::objects {
+namespace {
+
+/// The tree first, which keeps its own memory only while it is built.
+void build(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy) {
+  recorder.submit();  // what is recorded may still use the buffers that go now
+  hierarchy = {.builds = hierarchy.builds, .refits = hierarchy.refits};
+  build_tree(recorder, in, hierarchy);
+  fit(recorder, in, hierarchy);
+  hierarchy.built_cost = hierarchy.cost;
+  ++hierarchy.builds;
+}
+
+void refit(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy) {
+  fit(recorder, in, hierarchy);
+  ++hierarchy.refits;
+}
+
+/// Fits the boxes of one rank, a portion of it at a time.
+void fit_rank(gpu::Recorder& recorder, const In& in, Hierarchy& h, Rank rank) {
+  constexpr uint32_t tests = 4;  // a node's boxes, or its leaves' triangles
+  const uint32_t portion = uint32_t(std::clamp<uint64_t>(in.submit_work / tests, 1, UINT32_MAX / 2));
+  for (uint32_t done = 0; done < rank.count; done += portion) {
+    const struct {
+      uint32_t first, count;
+    } push{rank.first + done, std::min(portion, rank.count - done)};
+    recorder.dispatch("objects/fit", push.count, push,
+                      {h.leaf_a, h.leaf_b, h.leaf_c, h.box_low, h.box_high, h.costs, h.root}, uint64_t(push.count) * tests);
+    recorder.submit_past(in.submit_work);
+  }
+}
+
+}  // namespace
+
+void fit(gpu::Recorder& recorder, const In& in, Hierarchy& h) {
+  recorder.stage(gpu::Stage::object_hierarchy);
+  const struct {
+    uint32_t count;
+  } push{h.triangle_count};
+  recorder.dispatch("objects/corners", h.triangle_count, push,
+                    {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, h.order, h.leaf_a, h.leaf_b, h.leaf_c},
+                    h.triangle_count);
+  for (size_t r = h.ranks.size(); r-- > 0;) fit_rank(recorder, in, h, h.ranks[r]);
+  const auto root = recorder.read<glm::vec4>(h.root, 2);
+  h.cost = root[1].w > 0 ? double(root[0].w) / double(root[1].w) : 0;
+  h.pose.assign(in.pose.begin(), in.pose.end());
+}
+
+void update(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy) {
+  recorder.stage(gpu::Stage::object_hierarchy);
+  if (hierarchy.node_count == 0) return build(recorder, in, hierarchy);
+  if (std::ranges::equal(hierarchy.pose, in.pose)) return;
+  refit(recorder, in, hierarchy);
+  if (hierarchy.cost > loose * hierarchy.built_cost) build(recorder, in, hierarchy);
+}
+
+}  // namespace crsh::objects
