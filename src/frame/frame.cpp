@@ -88,10 +88,10 @@ void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) 
 }
 
 void trace(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  switch (s.options.algorithm.walk) {
-    case Walk::nodes: return trace_hierarchy(s, batch, bounce);
-    case Walk::single_rays: return trace_single(s, batch, bounce);
-    case Walk::brute: return trace_brute(s, batch, bounce);
+  switch (s.options.algorithm.tracing) {
+    case Tracing::nodes: return trace_hierarchy(s, batch, bounce);
+    case Tracing::single_rays: return trace_single(s, batch, bounce);
+    case Tracing::brute: return trace_brute(s, batch, bounce);
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 AlgorithmOptions brute() {
   AlgorithmOptions options;
   options.preset = "brute";
-  options.walk = Walk::brute;
+  options.tracing = Tracing::brute;
   options.compression = options.interval = options.mesh_culling = false;
   return options;
 }
@@ -20,7 +20,7 @@ AlgorithmOptions brute() {
 AlgorithmOptions bvh() {
   AlgorithmOptions options = brute();
   options.preset = "bvh";
-  options.walk = Walk::single_rays;
+  options.tracing = Tracing::single_rays;
   options.object_hierarchy = true;
   return options;
 }

@@ -31,12 +31,12 @@ enum class RayOrder { scanline, tiles };
 enum class NodeCut { fixed, cut };
 enum class Fit { merged, all };
 /// What meets the scene: nodes of rays, or single rays; by themselves, or through the object hierarchy.
-enum class Walk { nodes, brute, single_rays };
+enum class Tracing { nodes, brute, single_rays };
 
 /// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
 struct AlgorithmOptions {
   std::string preset = "crsh";
-  Walk walk = Walk::nodes;                   ///< brute: every ray against every triangle. Unless nodes: no switch matters
+  Tracing tracing = Tracing::nodes;           ///< brute: every ray against every triangle. Unless nodes: no switch matters
   bool object_hierarchy = false;             ///< there is one over the triangles (objects/)
   std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
   RayOrder ray_order = RayOrder::scanline;

@@ -149,6 +149,17 @@ Traced Tracer::trace_all(const scene::GpuScene& scene, const SortedBatch& rays, 
   return result(rays);
 }
 
+Traced Tracer::trace_single(const scene::GpuScene& scene, const SortedBatch& rays, uint64_t submit_work) {
+  objects::Hierarchy objects;
+  objects::update(recorder_, {scene, {}, submit_work}, objects);
+  begin(rays);
+  for (const rays::Segment& segment : rays.batch.segments)
+    intersection::intersect_single(
+        recorder_, {scene, rays.batch, hits_, counters_, segment.kind * shared::counters_per_row, submit_work}, objects,
+        segment, single_);
+  return result(rays);
+}
+
 std::vector<uint32_t> different_hits(const Traced& a, const Traced& b) {
   std::vector<uint32_t> different;
   for (uint32_t i = 0; i < a.hits.size(); ++i)

@@ -9,6 +9,8 @@
 #include "frame/options.h"
 #include "gpu/recorder.h"
 #include "hierarchy/hierarchy.h"
+#include "intersection/single.h"
+#include "objects/hierarchy.h"
 #include "rays/batch.h"
 #include "scene/upload.h"
 #include "shared/node.h"
@@ -65,6 +67,10 @@ class Tracer {
   [[nodiscard]] Traced trace_all(const scene::GpuScene& scene, const SortedBatch& rays,
                                  uint64_t submit_work = uint64_t(1) << 26);
 
+  /// Every ray by itself through an object hierarchy.
+  [[nodiscard]] Traced trace_single(const scene::GpuScene& scene, const SortedBatch& rays,
+                                    uint64_t submit_work = uint64_t(1) << 26);
+
   [[nodiscard]] gpu::Recorder& recorder() { return recorder_; }
   /// As the last trace() built it.
   [[nodiscard]] const hierarchy::Hierarchy& hierarchy() const { return hierarchy_; }
@@ -76,6 +82,7 @@ class Tracer {
   gpu::Recorder recorder_;
   hierarchy::Hierarchy hierarchy_;
   traversal::Scratch scratch_;
+  intersection::SingleScratch single_;
   gpu::Buffer hits_, counters_;
 };
 

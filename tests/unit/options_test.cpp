@@ -27,8 +27,8 @@ struct Parsed {
 };
 
 TEST_CASE("the presets are those of the design") {
-  CHECK(preset("brute").walk == Walk::brute);
-  CHECK(preset("bvh").walk == Walk::single_rays);
+  CHECK(preset("brute").tracing == Tracing::brute);
+  CHECK(preset("bvh").tracing == Tracing::single_rays);
   CHECK(preset("bvh").object_hierarchy);
   const AlgorithmOptions rah = preset("rah");
   CHECK(rah.keys[0].empty());
