@@ -107,6 +107,17 @@ TEST_CASE("the least memory that a refusal names is enough, and changes no pictu
   }
 }
 
+TEST_CASE("the least memory that a refusal names is enough to build the object hierarchy, too") {
+  for (const char* scene : {"glass", "office"}) {
+    uint64_t least = 0;
+    for (uint64_t mebibytes = 2; least == 0 && mebibytes < 1024; mebibytes += mebibytes / 2)
+      least = named_minimum(refusal(mebibytes, scene, "bvh"));  // less is too little for the scene alone
+    CAPTURE(least);
+    REQUIRE(least > 2);
+    CHECK(refusal(least, scene, "bvh") == "");
+  }
+}
+
 TEST_CASE("a frame that failed for want of memory counts nothing twice") {
   gpu::Device roomy(device_request());
   RenderOptions options = small(1);

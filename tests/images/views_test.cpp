@@ -65,10 +65,11 @@ void check_algorithms(const View& view, uint32_t size, uint32_t brute_size) {
   const Rendered ours = render_with("crsh", *scene, options);
   CHECK(difference(ours, render_with("crsh-2017", *scene, options)) == "");
   CHECK(difference(ours, render_with("rah", *scene, options)) == "");
+  CHECK(difference(ours, render_with("bvh", *scene, options)) == "");
   CHECK(difference(render_with("crsh", *scene, tiny), render_with("brute", *scene, tiny)) == "");
 }
 
-TEST_CASE("on the three views crsh, crsh-2017, rah and brute give the same picture and hits") {
+TEST_CASE("on the three views crsh, crsh-2017, rah, bvh and brute give the same picture and hits") {
   for (const View& view : views) check_algorithms(view, 40, 12);
 }
 
@@ -83,6 +84,23 @@ uint64_t count_of(const View& view, const scene::Scene& scene, uint32_t kind) {
   options.rays = {};
   options.rays[kind] = true;
   return rays_of(render(scene, options).statistics, ray_kinds[kind].name, 0).count;
+}
+
+/// One ray at a time over a binned SAH build needs 0.090% and 0.140% of brute force: what ray nodes are held against is
+/// no straw man.
+TEST_CASE("on Sponza bvh needs 0.1% of brute force for shadow rays at most, and 0.155% for reflection rays") {
+  const View& sponza = views[2];
+  const scene::Scene* scene = scene_of(sponza);
+  if (!scene) return;
+  const Rendered rendered = render_with("bvh", *scene, options_of(sponza, 128, 1));
+  const auto share = [&](const char* kind) {
+    const RayStatistics& row = rays_of(rendered.statistics, kind, 0);
+    CHECK(row.levels.empty());
+    CHECK(row.total_tests() == row.box_tests + row.triangle_tests);
+    return double(row.total_tests()) / double(row.count * row.triangles);
+  };
+  CHECK(share("shadow") <= 0.0010);
+  CHECK(share("reflection") <= 0.00155);
 }
 
 TEST_SUITE_BEGIN("full");
