@@ -25,11 +25,13 @@ void add_named(LayerSet& layers, const std::string& name) {
   if (known) layers = LayerSet::all();
   for (size_t id = 0; id < layer_count; ++id) {
     const auto layer = static_cast<LayerId>(id);
-    if (!std::ranges::all_of(channels_of(layer), [&](const auto& channel) { return output::in_layer(channel, name); })) continue;
+    if (!std::ranges::all_of(channels_of(layer), [&](const auto& channel) { return output::in_layer(channel, name); }))
+      continue;
     layers.add(layer);
     known = true;
   }
-  if (!known) refuse(fmt::format("{}: no such layer: choose of {}, or all", name, fmt::join(names_of(LayerSet::all()), ", ")));
+  if (!known)
+    refuse(fmt::format("{}: no such layer: choose of {}, or all", name, fmt::join(names_of(LayerSet::all()), ", ")));
 }
 
 }  // namespace

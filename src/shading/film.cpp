@@ -27,10 +27,9 @@ std::array<Summed, 8> summed(const SampleIn& in) {
 }
 
 /// Layers whose pixels are a vec4 in Film::sums.
-constexpr std::array summed_layers = {LayerId::beauty,     LayerId::direct,     LayerId::emission,
-                                      LayerId::reflection, LayerId::refraction, LayerId::albedo,
-                                      LayerId::f0,         LayerId::shadow,     LayerId::position,
-                                      LayerId::normal};
+constexpr std::array summed_layers = {LayerId::beauty,     LayerId::direct, LayerId::emission, LayerId::reflection,
+                                      LayerId::refraction, LayerId::albedo, LayerId::f0,       LayerId::shadow,
+                                      LayerId::position,   LayerId::normal};
 
 uint64_t pixels_of(const Film& film) { return uint64_t(film.size.width) * film.size.height; }
 

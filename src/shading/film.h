@@ -20,14 +20,15 @@ namespace crsh::shading {
 /// A pixel each, row-major; buffers of layers that are not wanted stay empty. Geometry and ids are the first sample's,
 /// which lies at the pixel's centre.
 struct Film {
-  std::array<gpu::Buffer, layer_count> sums;  ///< by LayerId: vec4, the sum over samples (geometry: the first's). Shadow:
-                                              ///< x visibility, y shadow rays. Always there: the beauty, w samples that met
-  gpu::Buffer depth;                          ///< float: distance along the view axis, 1e10 where nothing
-  gpu::Buffer ids;                            ///< uvec2: object and material from 1 on; 0 where nothing
+  std::array<gpu::Buffer, layer_count>
+      sums;           ///< by LayerId: vec4, the sum over samples (geometry: the first's). Shadow:
+                      ///< x visibility, y shadow rays. Always there: the beauty, w samples that met
+  gpu::Buffer depth;  ///< float: distance along the view axis, 1e10 where nothing
+  gpu::Buffer ids;    ///< uvec2: object and material from 1 on; 0 where nothing
   std::array<gpu::Buffer, shared::tests_count> tests;  ///< by shared::tests_*: uvec2, 64-bit fixed point
   raster::ImageSize size;
   LayerSet layers;
-  uint32_t samples = 0;                       ///< begun
+  uint32_t samples = 0;  ///< begun
 
   [[nodiscard]] const gpu::Buffer& sum(LayerId id) const { return sums[static_cast<size_t>(id)]; }
 };

@@ -63,7 +63,8 @@ TEST_CASE("the parts of light add up to the beauty, and all of them are there") 
   options.background = {0.25f, 0.5f, 2};
   const Picture moving = render(own_scene("moving"), options).picture;
   options.samples = 1;
-  const Picture glass = render(own_scene("glass"), options).picture, office = render(own_scene("office"), options).picture;
+  const Picture glass = render(own_scene("glass"), options).picture,
+                office = render(own_scene("office"), options).picture;
   for (const Picture* picture : {&moving, &glass, &office}) check_parts(*picture);
   for (const char* part : {"Direct", "Background"}) CHECK(sum_of(moving, part) > 1);
   for (const char* part : {"Reflection", "Refraction"}) CHECK(sum_of(glass, part) > 1);
@@ -169,7 +170,8 @@ TEST_CASE("all layers but Tests are bit-identical between algorithms, and betwee
   const Rendered ours = render_with("crsh", own_scene("glass"), small());
   for (const std::string& name : preset_names()) {
     CAPTURE(name);
-    CHECK(difference(without_tests(ours.picture), without_tests(render_with(name, own_scene("glass"), small()).picture)) == "");
+    CHECK(difference(without_tests(ours.picture),
+                     without_tests(render_with(name, own_scene("glass"), small()).picture)) == "");
   }
   CHECK(difference(ours, render_with("crsh", own_scene("glass"), small())) == "");
 }
@@ -177,7 +179,9 @@ TEST_CASE("all layers but Tests are bit-identical between algorithms, and betwee
 TEST_CASE("asking for layers changes neither the others nor a counter") {
   RenderOptions options = small();
   options.width = 16, options.height = 12;
-  const auto with = [&](const LayerSet& layers) { return options.layers = layers, render(own_scene("glass"), options); };
+  const auto with = [&](const LayerSet& layers) {
+    return options.layers = layers, render(own_scene("glass"), options);
+  };
   const Rendered all = with(LayerSet::all()), beauty = with({});
   CHECK(beauty.picture.layers.size() == 1);
   CHECK(beauty.picture.find("")->values == all.picture.find("")->values);

@@ -27,7 +27,8 @@ struct Bundles {
   gpu::Buffer gpu_order, pixels, tests;
 
   Bundles() {
-    batch.segments = {{.kind = 0, .light = 0, .first = 0, .count = 700}, {.kind = 1, .light = 0, .first = 700, .count = 300}};
+    batch.segments = {{.kind = 0, .light = 0, .first = 0, .count = 700},
+                      {.kind = 1, .light = 0, .first = 700, .count = 300}};
     batch.count = batch.surfaces = 1000;
     order.resize(1000);
     std::iota(order.begin(), order.end(), 0u);
@@ -66,8 +67,8 @@ struct Bundles {
 
 /// The slots of one kind and level of an account.
 void write(const hierarchy::Account& account, uint32_t kind, uint32_t level, const std::vector<uint32_t>& values) {
-  gpu::upload_bytes(test::device(), account.buffer_or(gpu::Buffer()), account.first(kind, level) * sizeof(uint32_t), values.data(),
-                    values.size() * sizeof(uint32_t));
+  gpu::upload_bytes(test::device(), account.buffer_or(gpu::Buffer()), account.first(kind, level) * sizeof(uint32_t),
+                    values.data(), values.size() * sizeof(uint32_t));
 }
 
 std::vector<uint32_t> random_tests(test::Random& random, size_t count) {
