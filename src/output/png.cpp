@@ -81,6 +81,10 @@ std::string encode_grey_png(const std::vector<uint8_t>& pixels, uint32_t width, 
   return encode(pixels, width, height, 1);
 }
 
+std::string encode_rgb_png(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height) {
+  return encode(pixels, width, height, 3);
+}
+
 Image decode_png(const std::string& bytes, const std::string& name) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(std::min<size_t>(bytes.size(), INT32_MAX));

@@ -18,6 +18,9 @@ namespace crsh::output {
 /// One byte a pixel, rows from the top.
 [[nodiscard]] std::string encode_grey_png(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height);
 
+/// Three bytes a pixel, sRGB, rows from the top.
+[[nodiscard]] std::string encode_rgb_png(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height);
+
 /// Channels R, G, B, A or Y, A of 8 or 16 bits. Throws UserError that begins with `name`.
 [[nodiscard]] Image decode_png(const std::string& bytes, const std::string& name);
 
