@@ -188,13 +188,14 @@ TEST_CASE("asking for layers changes neither the others nor a counter") {
   CHECK(beauty.picture.layers.size() == 1);
   CHECK(beauty.picture.find("")->values == all.picture.find("")->values);
   CHECK(difference_of_counters(all.statistics, beauty.statistics) == "");
-  for (size_t id = 0; id < layer_count; ++id) {
-    const auto layer = static_cast<LayerId>(id);
-    CAPTURE(row_of(layer).name);
-    const Picture alone = with({layer}).picture;
-    const Layer &one = alone.layers.back(), &same = *all.picture.find(one.name);
-    CHECK(one.values == same.values);
-    CHECK(one.ids == same.ids);
+  for (size_t third = 0; third < 3; ++third) {
+    LayerSet some;
+    for (size_t id = third; id < layer_count; id += 3) some.add(static_cast<LayerId>(id));
+    for (const Layer& layer : with(some).picture.layers) {
+      CAPTURE(layer.name);
+      CHECK(layer.values == all.picture.find(layer.name)->values);
+      CHECK(layer.ids == all.picture.find(layer.name)->ids);
+    }
   }
 }
 
