@@ -10,6 +10,7 @@
 
 #include "cli/command.h"
 #include "error.h"
+#include "gpu/device.h"
 #include "output/whole_file.h"
 #include "version.h"
 
@@ -54,6 +55,8 @@ int main(int count, char** arguments) {
     return static_cast<int>(Exit::done);
   } catch (const UserError& error) {
     return report(error.what(), error.status());
+  } catch (const gpu::OutOfMemory& shortage) {
+    return report(fmt::format("out of memory ({}): make the image or the scene smaller", shortage.what), Exit::failed);
   } catch (const std::bad_alloc&) {
     return report("out of memory: make the image or the scene smaller", Exit::failed);
   } catch (const std::exception& error) {

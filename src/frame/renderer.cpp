@@ -107,14 +107,21 @@ Picture attempt_in_portions(Renderer::State& s, double seconds, const Renderer::
 
 /// The least --max-memory that this frame needs, MiB: measured, by rendering it frugally without a bound.
 uint64_t least_memory(Renderer::State& s, double seconds) {
-  const uint64_t budget = s.device.request().memory_budget;
   drop_lists(s);
   s.objects = {};  // its build is measured, too
-  s.device.set_memory_budget(0);
+  s.most_pairs = frugal_pairs;
   s.device.forget_peak();
   (void)attempt_in_portions(s, seconds, {});
-  s.device.set_memory_budget(budget);
   return (s.device.peak_bytes() >> 20) + 1;
+}
+
+/// Ends a run under `budget`; `s` is loaded, if need be without it.
+[[noreturn]] void refuse_budget(Renderer::State& s, double seconds, uint64_t budget) {
+  s.device.set_memory_budget(0);
+  const uint64_t least = least_memory(s, seconds);
+  s.device.set_memory_budget(budget);
+  throw UserError(fmt::format("--max-memory {} MiB is too little for this scene and size; it needs at least {}",
+                              budget >> 20, least));
 }
 
 [[noreturn]] void report(const gpu::OutOfMemory& shortage, const std::string& mend) {
@@ -130,8 +137,18 @@ Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const RenderO
     : state_(std::make_unique<State>(device, scene, options)) {
   try {
     load(*state_);
+    return;
   } catch (const gpu::OutOfMemory& shortage) {
-    report(shortage, "the scene alone needs that much");
+    if (!shortage.available) report(shortage, "the scene alone needs that much");
+  }
+  try {
+    const uint64_t budget = device.request().memory_budget;
+    device.set_memory_budget(0);
+    state_ = std::make_unique<State>(device, scene, options);
+    load(*state_);
+    refuse_budget(*state_, 0, budget);
+  } catch (const gpu::OutOfMemory& shortage) {
+    report(shortage, "a smaller --size needs less");
   }
 }
 
@@ -156,9 +173,8 @@ Picture Renderer::render(double seconds, const Progress& progress) {
   try {
     return finish(attempt_in_portions(s, seconds, progress));
   } catch (const gpu::OutOfMemory& shortage) {
-    if (!shortage.available) report(shortage, "a smaller --size needs less");
-    throw UserError(fmt::format("--max-memory {} MiB is too little for this scene and size; it needs at least {}",
-                                shortage.available >> 20, least_memory(s, seconds)));
+    if (shortage.available) refuse_budget(s, seconds, s.device.request().memory_budget);
+    report(shortage, "a smaller --size needs less");
   }
 }
 

@@ -122,6 +122,36 @@ TEST_CASE("statistics hold the command, the effective options and every stage") 
   }
 }
 
+/// What is counted of rays, without times and memory.
+nlohmann::json rays_in(const test::Outcome& outcome) { return nlohmann::json::parse(outcome.out)["rays"]; }
+
+TEST_CASE("small buffers, submits and memory change no byte of the EXR and no counter") {
+  const test::TemporaryFolder folder;
+  const test::Outcome usual = render({"-o", folder / "usual.exr", "--stats", "-"});
+  REQUIRE(usual.status == 0);
+  const std::vector<std::vector<std::string>> troubles = {
+      {"--first-capacity", "1"}, {"--first-capacity", "64", "--submit-work", "65536", "--max-memory", "256"}};
+  for (std::vector<std::string> trouble : troubles) {
+    trouble.insert(trouble.end(), {"-o", folder / "troubled.exr", "--stats", "-"});
+    const test::Outcome troubled = render(trouble);
+    CAPTURE(troubled.err);
+    REQUIRE(troubled.status == 0);
+    CHECK(output::read_whole(folder / "usual.exr") == output::read_whole(folder / "troubled.exr"));
+    CHECK(rays_in(usual) == rays_in(troubled));
+  }
+}
+
+TEST_CASE("too little --max-memory is one line that names the least, exit status 1, and no file") {
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome = crsh({"render", CRSH_SOURCE_DIR "/scenes/office.glb", "-o", folder / "a.png", "-q",
+                                      "--size", "24x16", "--bounces", "0", "--max-memory", "1"});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.error_lines() == 1);
+  CHECK(outcome.err.starts_with("crsh: --max-memory 1 MiB is too little"));
+  CHECK(outcome.err.find("it needs at least ") != std::string::npos);
+  CHECK(folder.size() == 0);
+}
+
 TEST_CASE("a full disk is one line, exit status 1, and no file") {
   const test::TemporaryFolder folder;
   fs::create_symlink("/dev/full", folder / "full.png");

@@ -67,7 +67,7 @@ TEST_CASE("a wrong option is one line, exit status 2") {
   check_misuse({"render", "a.glb", "-o", "a.png", "--size", "0x0"},
                "--size 0x0: WIDTHxHEIGHT is allowed, each from 1 to 16384");
   check_misuse({"render", "a.glb", "-o", "a.png", "--size", "100000x100000"}, "each from 1 to 16384");
-  check_misuse({"render", "a.glb", "-o", "a.png", "--algorithm", "bvh9"}, "brute, rah, crsh-2017, crsh");
+  check_misuse({"render", "a.glb", "-o", "a.png", "--algorithm", "bvh9"}, "brute, bvh, rah, crsh-2017, crsh");
   check_misuse({"render", "a.glb", "-o", "a.png", "--eye", "nan,0,0"}, "three finite numbers");
   check_misuse({"render", "a.glb", "-o", "a.jpg"}, "ends in .exr or .png");
   check_misuse({"render", "a.glb", "-o", "a.exr", "--layers", "Z,Colour"}, "Colour: no such layer: choose of beauty, ");

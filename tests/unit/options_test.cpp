@@ -143,7 +143,7 @@ TEST_CASE("a wrong value is wrong usage: one line with the option, the value and
                                                                   {"--key", "eye=best"},
                                                                   {"--ray-order", "random"},
                                                                   {"--compression", "yes"},
-                                                                  {"--nodes", "cut"},
+                                                                  {"--nodes", "cuts"},
                                                                   {"--arity", "1"},
                                                                   {"--arity", "65"},
                                                                   {"--levels", "0"},

@@ -3,6 +3,8 @@
 # which set `top` to the checkout's folder.
 # shellcheck disable=SC2154
 
+cmake_settings=()
+
 # At a terminal: shows the last line of the log behind the label, once a second, as long as this script lives.
 follow_log() {
   local label=$1 log=$2
@@ -38,15 +40,16 @@ step() {
   return "$code"
 }
 
-# configure PRESET FOLDER: a build folder that is there already keeps its generator and build type.
+# configure PRESET FOLDER: a build folder that is there already keeps its generator and build type. What the includer
+# has in the array cmake_settings goes to cmake.
 configure() {
   local preset=$1 folder=$2 launcher=()
   if [[ -e $folder/CMakeCache.txt ]]; then
-    cmake -S "$top" -B "$folder" -DCRSH_ONLY=
+    cmake -S "$top" -B "$folder" -DCRSH_ONLY= "${cmake_settings[@]}"
     return
   fi
   if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-  cmake -S "$top" -B "$folder" --preset "$preset" "${launcher[@]}"
+  cmake -S "$top" -B "$folder" --preset "$preset" "${launcher[@]}" "${cmake_settings[@]}"
 }
 
 # build PRESET FOLDER TARGET...: configures and builds; without a target, everything.
