@@ -17,6 +17,7 @@
 #include "output/json_text.h"
 #include "output/png.h"
 #include "output/progress.h"
+#include "output/ray_file.h"
 #include "output/stats_json.h"
 #include "output/whole_file.h"
 #include "scene/scene.h"
@@ -40,6 +41,8 @@ struct Run {
   output::Progress& progress;
   std::optional<double> exposure;  ///< of PNG files, once known: an automatic one is the first frame's
   uint64_t clamped = 0;            ///< half values, in all files
+  RayTable rays = {};              ///< for --dump-rays
+  [[nodiscard]] RayTable* dump() { return command.dump_rays.empty() ? nullptr : &rays; }
 };
 
 /// A line on standard error, unless --quiet.
@@ -86,15 +89,22 @@ void write_picture(Run& run, const Picture& picture, const output::PathPattern& 
   run.progress.written(path);
 }
 
+void write_dump(Run& run) {
+  output::write_rays(run.command.dump_rays, run.rays);
+  run.progress.written(run.command.dump_rays);
+}
+
 /// Renders all frames; returns the last picture without its layers, for the statistics.
 Picture render_frames(Run& run) {
   Picture picture;
   const std::vector<FrameTask> tasks = frame_tasks(run.command);
   for (uint32_t index = 0; index < tasks.size(); ++index) {
     const FrameTask& task = tasks[index];
-    picture = run.renderer.render(task.seconds, [&](double done) { run.progress.update(task.number, index, done); });
+    const auto progress = [&](double done) { run.progress.update(task.number, index, done); };
+    picture = run.renderer.render(task.seconds, progress, run.dump());
     run.progress.update(task.number, index, 1);
     for (const output::PathPattern& pattern : run.command.outputs) write_picture(run, picture, pattern, task);
+    if (run.dump()) write_dump(run);
   }
   run.progress.clear();
   picture.layers.clear();

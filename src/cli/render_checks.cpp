@@ -16,13 +16,20 @@ namespace {
 [[noreturn]] void misuse(const std::string& what) { throw UserError(what + " (see crsh help render)", Exit::usage); }
 
 void check_outputs(const RenderCommand& command) {
-  if (command.outputs.empty()) misuse("-o FILE is missing: where shall the picture go");
+  if (command.outputs.empty() && command.dump_rays.empty()) misuse("-o FILE is missing: where shall the picture go");
   const auto on_stdout = std::ranges::count_if(command.outputs, &output::PathPattern::to_stdout);
   if (on_stdout + (command.stats == "-") > 1) misuse("two outputs on standard output: give one of them a file");
   if (on_stdout && ::isatty(STDOUT_FILENO)) misuse("-o -: standard output is a terminal: redirect it, or name a file");
   if (!command.frames || command.frames->first == command.frames->last) return;
   for (const output::PathPattern& pattern : command.outputs)
     if (!pattern.has_frame()) misuse(fmt::format("-o {}: several frames need {{frame}} in the path", pattern.text()));
+}
+
+/// One picture's rays to one file of NumPy's.
+void check_rays(const RenderCommand& command) {
+  if (command.dump_rays.empty()) return;
+  if (!command.dump_rays.ends_with(".npz")) misuse(fmt::format("--dump-rays {}: .npz is written", command.dump_rays));
+  if (command.frames) misuse("--dump-rays is for one picture, --frames for many: give --time");
 }
 
 void check_view(const ViewOption& view, const std::string& camera) {
@@ -39,6 +46,7 @@ void check_distinct(const RenderCommand& command) {
       misuse(path + ": two outputs into one file");
   };
   if (!command.stats.empty()) add(command.stats);
+  if (!command.dump_rays.empty()) add(command.dump_rays);
   for (const output::PathPattern& pattern : command.outputs) add(pattern.at(0));
 }
 
@@ -48,11 +56,13 @@ void check_combinations(const RenderCommand& command) {
   if (command.seconds && command.frames) misuse("--time is for one picture, --frames for many: give one");
   check_view(command.options.view, command.options.camera);
   check_outputs(command);
+  check_rays(command);
   check_distinct(command);
 }
 
 void check_places(const RenderCommand& command) {
   if (!command.stats.empty() && command.stats != "-") output::check_writable(command.stats);
+  if (!command.dump_rays.empty()) output::check_writable(command.dump_rays);
   for (const FrameTask& task : frame_tasks(command))
     for (const output::PathPattern& pattern : command.outputs)
       if (!pattern.to_stdout()) output::check_writable(pattern.at(task.number));

@@ -4,96 +4,13 @@
 
 #include "coherence/trim.h"
 #include "frame/state.h"
-#include "primitives/grow.h"
+#include "frame/trace.h"
 #include "raster/jitter.h"
 #include "rays/kinds.h"
 #include "shading/direct.h"
 
 namespace crsh {
 namespace {
-
-/// Nodes of a batch that are traversed together: one kind's, on the top level of that kind.
-hierarchy::Range nodes_of(const rays::Batch& batch, const hierarchy::Hierarchy& hierarchy, uint32_t kind, uint32_t depth) {
-  hierarchy::Range range;
-  for (size_t s = 0; s < batch.segments.size(); ++s) {
-    const hierarchy::Range nodes = batch.segments[s].kind == kind && depth <= hierarchy.depth
-                                       ? hierarchy.levels[depth - 1].segments[s]
-                                       : hierarchy::Range{};
-    if (range.count == 0) range.first = nodes.first;
-    range.count += nodes.count;
-  }
-  return range;
-}
-
-/// Empties the account of tests for a batch, if any Tests layer is wanted.
-void begin_account(Renderer::State& s, const rays::Batch& batch) {
-  hierarchy::WantedTests wanted{};
-  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    wanted[kind] = s.film.layers.has(shading::layer_of_tests(kind));
-  s.batch.account.begin(s.recorder, wanted, batch.count, s.batch.hierarchy);
-}
-
-/// The tests of a batch's rays and nodes go to the film.
-void share_tests(Renderer::State& s, const rays::Batch& batch, const rays::BatchPlan& plan, const shading::Surfaces& surfaces) {
-  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    if (s.batch.account.wants(kind))
-      s.batch.account.share(s.recorder, {batch, s.batch.hierarchy, s.batch.order.order, plan.first_surface, surfaces.diffuse},
-                            kind, s.film.tests[kind]);
-}
-
-/// Steps 4 to 6 (§3.2.3 to §3.2.6): sorts the rays, bundles them into nodes, and takes these through the scene.
-void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  const AlgorithmOptions& options = s.options.algorithm;
-  BatchBuffers& b = s.batch;
-  const bool unstable = s.options.mutation == "unstable-sort", narrow = s.options.mutation == "narrow-cones";
-  coherence::order(s.recorder, b.sort,
-                   {.batch = batch, .keys = options.keys, .bounds = s.gpu_scene.bounds,
-                    .compression = options.compression, .unstable = unstable}, b.order);
-  coherence::gather(s.recorder, batch, b.order, b.sorted_rays);
-  hierarchy::build(s.recorder, {b.sorted_rays, batch.segments, options, narrow}, b.hierarchy);
-  begin_account(s, batch);
-  for (uint32_t kind = 0; kind < kind_count; ++kind) {
-    const uint32_t row = Counters::row(bounce, kind);
-    const traversal::In in{.hierarchy = b.hierarchy, .scene = s.gpu_scene, .options = options,
-                           .counters = s.counters->buffer(), .counter_row = row, .submit_work = s.options.submit_work,
-                           .most_pairs = s.most_pairs, .drop_every = s.options.mutation == "dropped-pairs" ? 10000u : 0u,
-                           .account = b.account};
-    const hierarchy::Range top = nodes_of(batch, b.hierarchy, kind, options.levels[kind]);
-    traversal::traverse(s.recorder, in, options.levels[kind], top, b.traversal, [&](const auto& candidates) {
-      intersection::intersect(s.recorder, {s.gpu_scene, batch, b.hits, s.counters->buffer(), row, s.options.submit_work, b.account},
-                              b.hierarchy, b.sorted_rays, b.order.order, candidates);
-    });
-  }
-}
-
-/// Step 6 for rays one by one.
-void trace_single(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  s.batch.hierarchy.depth = 0;
-  s.batch.order.chunks.clear();
-  begin_account(s, batch);
-  for (const rays::Segment& segment : batch.segments)
-    intersection::intersect_single(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                                Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account},
-                                   s.objects, segment, s.batch.single);
-}
-
-/// Step 6 without any structure.
-void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  s.batch.hierarchy.depth = 0;
-  s.batch.order.chunks.clear();
-  begin_account(s, batch);
-  for (const rays::Segment& segment : batch.segments)
-    intersection::intersect_all(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                             Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account}, segment);
-}
-
-void trace(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  switch (s.options.algorithm.tracing) {
-    case Tracing::nodes: return trace_hierarchy(s, batch, bounce);
-    case Tracing::single_rays: return trace_single(s, batch, bounce);
-    case Tracing::brute: return trace_brute(s, batch, bounce);
-  }
-}
 
 /// Steps 3 to 6 for the rays of one plan: created, trimmed, traced. The hits are in state.batch.hits.
 const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, const shading::Surfaces& surfaces,
@@ -105,16 +22,7 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
   s.recorder.stage(gpu::Stage::ray_creation);
   rays::create(s.recorder, {surfaces, s.gpu_scene, plan, s.options.override_mirror}, s.batch.sparse, generation);
   coherence::trim(s.recorder, s.batch.trim, s.batch.sparse.rays, s.batch.sparse.flags, batch);
-  if (batch.count == 0) return batch;
-  primitives::grow(s.recorder, s.batch.hits, uint64_t(batch.count) * sizeof(shared::Hit), "hits");
-  intersection::clear(s.recorder, batch, s.batch.hits);
-  trace(s, batch, bounce);
-  for (const rays::Segment& segment : batch.segments)
-    intersection::digest(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                      Counters::row(bounce, segment.kind), s.options.submit_work},
-                         segment, plan.first_surface, surfaces.diffuse, surfaces.specular);
-  share_tests(s, batch, plan, surfaces);
-  add_batch(s.recorder, batch, s.batch.order, s.batch.hierarchy, bounce, s.frame_statistics);
+  if (batch.count) trace(s, bounce, {surfaces.diffuse, surfaces.specular, plan.first_surface});
   return batch;
 }
 
@@ -206,9 +114,7 @@ Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progres
   const scene::Pose pose = s.scene.pose(seconds, s.animation);
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   s.recorder.stage(gpu::Stage::raster);
-  scene::animate(s.recorder, s.gpu_scene, s.scene, pose, s.lights);
-  if (s.options.algorithm.object_hierarchy)
-    objects::update(s.recorder, {s.gpu_scene, pose.instances, s.options.submit_work}, s.objects);
+  place_objects(s, pose);
   s.recorder.stage(gpu::Stage::raster);
   shading::begin_frame(s.recorder, s.film, s.size, s.options.layers);
   s.paths.generations.resize(s.options.bounces + 2);

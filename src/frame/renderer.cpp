@@ -78,26 +78,29 @@ void drop_lists(Renderer::State& s) {
   s.batch = {};
 }
 
-/// One try at a frame: counters and times start from nothing, so that a second try counts nothing twice.
-Picture attempt(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
+/// Fills state.dump, if any, and counts to state.frame_statistics.
+using Frame = std::function<void()>;
+
+/// One try at a frame: counters, times and rays start from nothing, so that a second try counts nothing twice.
+void attempt(Renderer::State& s, const Frame& frame) {
   s.frame_statistics = {};
   s.frame_statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
+  if (s.dump) *s.dump = {};
   s.counters->clear(s.recorder);
   s.recorder.submit();
   (void)s.recorder.profiler().take_milliseconds();
   const Clock::time_point start = Clock::now();
-  Picture picture = render_frame(s, seconds, progress);
+  frame();
   const double elapsed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   s.counters->add_to(s.recorder, s.frame_statistics);
   s.frame_statistics.frames.push_back({elapsed, s.recorder.profiler().take_milliseconds()});
-  return picture;
 }
 
 /// Tries again with smaller portions where a generation outgrew a binding.
-Picture attempt_in_portions(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
+void attempt_in_portions(Renderer::State& s, const Frame& frame) {
   for (;;) {
     try {
-      return attempt(s, seconds, progress);
+      return attempt(s, frame);
     } catch (const PortionTooLarge&) {
       drop_lists(s);
       s.portion /= 2;
@@ -106,19 +109,19 @@ Picture attempt_in_portions(Renderer::State& s, double seconds, const Renderer::
 }
 
 /// The least --max-memory that this frame needs, MiB: measured, by rendering it frugally without a bound.
-uint64_t least_memory(Renderer::State& s, double seconds) {
+uint64_t least_memory(Renderer::State& s, const Frame& frame) {
   drop_lists(s);
   s.objects = {};  // its build is measured, too
   s.most_pairs = frugal_pairs;
   s.device.forget_peak();
-  (void)attempt_in_portions(s, seconds, {});
+  attempt_in_portions(s, frame);
   return (s.device.peak_bytes() >> 20) + 1;
 }
 
 /// Ends a run under `budget`; `s` is loaded, if need be without it.
-[[noreturn]] void refuse_budget(Renderer::State& s, double seconds, uint64_t budget) {
+[[noreturn]] void refuse_budget(Renderer::State& s, const Frame& frame, uint64_t budget) {
   s.device.set_memory_budget(0);
-  const uint64_t least = least_memory(s, seconds);
+  const uint64_t least = least_memory(s, frame);
   s.device.set_memory_budget(budget);
   throw UserError(fmt::format("--max-memory {} MiB is too little for this scene and size; it needs at least {}",
                               budget >> 20, least));
@@ -129,6 +132,33 @@ uint64_t least_memory(Renderer::State& s, double seconds) {
                                                : std::string("the device has no more");
   throw UserError(fmt::format("out of device memory: '{}' would bring it to {} MiB, and {}; {}", shortage.what,
                               (shortage.needed >> 20) + 1, limit, mend));
+}
+
+/// A frame that has succeeded joins the run's statistics.
+void finish(Renderer::State& s) {
+  s.statistics.lights = s.gpu_scene.light_count;
+  add(s.statistics, s.frame_statistics);
+  s.statistics.object_hierarchy = {s.objects.builds, s.objects.refits, s.objects.cost};
+  s.statistics.frames.push_back(s.frame_statistics.frames.front());
+  s.statistics.device_peak_bytes = std::max(s.statistics.device_peak_bytes, s.device.peak_bytes());
+}
+
+/// A frame as well as memory allows: where it is short, once more with short lists.
+void run(Renderer::State& s, const Frame& frame) {
+  try {
+    attempt_in_portions(s, frame);
+    return finish(s);
+  } catch (const gpu::OutOfMemory&) {
+    drop_lists(s);
+    s.most_pairs = frugal_pairs;
+  }
+  try {
+    attempt_in_portions(s, frame);
+    return finish(s);
+  } catch (const gpu::OutOfMemory& shortage) {
+    if (shortage.available) refuse_budget(s, frame, s.device.request().memory_budget);
+    report(shortage, "a smaller --size needs less");
+  }
 }
 
 }  // namespace
@@ -146,7 +176,7 @@ Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const RenderO
     device.set_memory_budget(0);
     state_ = std::make_unique<State>(device, scene, options);
     load(*state_);
-    refuse_budget(*state_, 0, budget);
+    refuse_budget(*state_, [this] { (void)render_frame(*state_, 0, {}); }, budget);
   } catch (const gpu::OutOfMemory& shortage) {
     report(shortage, "a smaller --size needs less");
   }
@@ -154,28 +184,17 @@ Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const RenderO
 
 Renderer::~Renderer() = default;
 
-Picture Renderer::render(double seconds, const Progress& progress) {
-  State& s = *state_;
-  const auto finish = [&](Picture picture) {
-    s.statistics.lights = s.gpu_scene.light_count;
-    add(s.statistics, s.frame_statistics);
-    s.statistics.object_hierarchy = {s.objects.builds, s.objects.refits, s.objects.cost};
-    s.statistics.frames.push_back(s.frame_statistics.frames.front());
-    s.statistics.device_peak_bytes = std::max(s.statistics.device_peak_bytes, s.device.peak_bytes());
-    return picture;
-  };
-  try {
-    return finish(attempt_in_portions(s, seconds, progress));
-  } catch (const gpu::OutOfMemory&) {
-    drop_lists(s);
-    s.most_pairs = frugal_pairs;
-  }
-  try {
-    return finish(attempt_in_portions(s, seconds, progress));
-  } catch (const gpu::OutOfMemory& shortage) {
-    if (shortage.available) refuse_budget(s, seconds, s.device.request().memory_budget);
-    report(shortage, "a smaller --size needs less");
-  }
+Picture Renderer::render(double seconds, const Progress& progress, RayTable* dump) {
+  Picture picture;
+  state_->dump = dump;
+  run(*state_, [&] { picture = render_frame(*state_, seconds, progress); });
+  if (dump) dump->width = picture.width, dump->height = picture.height;
+  return picture;
+}
+
+void Renderer::replay(const RayTable& rays, double seconds, RayTable* dump) {
+  state_->dump = dump;
+  run(*state_, [&] { replay_rays(*state_, rays, seconds); });
 }
 
 const Statistics& Renderer::statistics() const { return state_->statistics; }

@@ -8,6 +8,7 @@
 
 #include "frame/options.h"
 #include "frame/picture.h"
+#include "frame/ray_table.h"
 #include "frame/statistics.h"
 #include "gpu/device.h"
 #include "scene/scene.h"
@@ -24,8 +25,12 @@ class Renderer {
   Renderer(gpu::Device& device, const scene::Scene& scene, const RenderOptions& options);
   ~Renderer();
 
-  /// Renders the scene at `seconds`: the beauty and the layers that the options ask for.
-  [[nodiscard]] Picture render(double seconds, const Progress& progress = {});
+  /// Renders the scene at `seconds`: the beauty and the layers that the options ask for. `dump`, if any, becomes the
+  /// table of its rays.
+  [[nodiscard]] Picture render(double seconds, const Progress& progress = {}, RayTable* dump = nullptr);
+  /// Traces these rays through the scene at `seconds` as if they were a frame's; none is of a bounce above --bounces.
+  /// `dump`, if any, becomes the same table, row by row, with what has become of the rays here.
+  void replay(const RayTable& rays, double seconds, RayTable* dump = nullptr);
 
   /// Counters and times of all frames so far.
   [[nodiscard]] const Statistics& statistics() const;

@@ -7,6 +7,7 @@
 #include "coherence/coherence.h"
 #include "coherence/trim.h"
 #include "frame/counters.h"
+#include "frame/ray_table.h"
 #include "frame/renderer.h"
 #include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
@@ -70,6 +71,7 @@ struct Renderer::State {
   uint64_t most_pairs = 0;                ///< of a candidate list; 0: as memory allows
   Statistics statistics;                  ///< of all finished frames
   Statistics frame_statistics;            ///< of the frame under way
+  RayTable* dump = nullptr;               ///< gets the rays of the frame under way
   std::vector<std::string> notes;
 };
 
@@ -78,5 +80,8 @@ struct PortionTooLarge {};
 
 /// One frame, as Figure 1 has it (frame.cpp). Counts go to state.frame_statistics.
 [[nodiscard]] Picture render_frame(Renderer::State& state, double seconds, const Renderer::Progress& progress);
+
+/// Steps 4 to 6 on rays of a table in place of a frame's (replay.cpp). Counts go to state.frame_statistics.
+void replay_rays(Renderer::State& state, const RayTable& rays, double seconds);
 
 }  // namespace crsh

@@ -1,0 +1,85 @@
+#include "frame/dump.h"
+
+#include <bit>
+#include <numeric>
+
+#include "frame/ray_table.h"
+#include "rays/hash.h"
+
+namespace crsh {
+namespace {
+
+/// A word of each surface's vec4, as bits.
+std::vector<uint32_t> read_w(gpu::Recorder& recorder, const gpu::Buffer& buffer, uint32_t first, uint32_t count) {
+  std::vector<uint32_t> words;
+  for (const glm::vec4& value : recorder.read<glm::vec4>(buffer, count, first))
+    words.push_back(std::bit_cast<uint32_t>(value.w));
+  return words;
+}
+
+/// The hash of each ray: its key without the number of its segment. Made again, because the sort has used it up.
+std::vector<uint32_t> read_keys(Renderer::State& s) {
+  const rays::Batch& batch = s.batch.rays;
+  const rays::Keys& keys = s.options.algorithm.keys;
+  if (s.options.algorithm.tracing != Tracing::nodes || !rays::any_sorted(batch, keys)) return std::vector<uint32_t>(batch.count);
+  const uint32_t bits = rays::hash(s.recorder, batch, keys, s.gpu_scene.bounds, s.batch.sort.pairs) -
+                        std::bit_width(batch.segments.size() - 1);
+  std::vector<uint32_t> hashes;
+  for (const glm::uvec2& pair : s.recorder.read<glm::uvec2>(s.batch.sort.pairs, batch.count))
+    hashes.push_back(pair.x & static_cast<uint32_t>((uint64_t(1) << bits) - 1));
+  return hashes;
+}
+
+/// The sorted place of each ray of the batch.
+std::vector<uint32_t> read_places(Renderer::State& s) {
+  const uint32_t count = s.batch.rays.count;
+  std::vector<uint32_t> places(count);
+  std::iota(places.begin(), places.end(), 0u);
+  if (s.options.algorithm.tracing != Tracing::nodes) return places;
+  const auto order = s.recorder.read<uint32_t>(s.batch.order.order, count);
+  for (uint32_t place = 0; place < count; ++place) places[order[place]] = place;
+  return places;
+}
+
+void set_ray(RayTable& table, size_t row, const shared::Ray& ray) {
+  table.origin[row] = glm::vec3(ray.origin);
+  table.direction[row] = glm::vec3(ray.direction);
+  table.tmax[row] = ray.origin.w;
+  table.kind[row] = static_cast<uint32_t>(ray.direction.w);
+}
+
+void set_hit(RayTable& table, size_t row, const glm::uvec4& words) {
+  const bool shadow = table.kind[row] == shared::kind_shadow;
+  table.hit[row] = shadow ? shared::none : words.y;
+  table.t[row] = shadow ? std::numeric_limits<float>::infinity() : std::bit_cast<float>(words.x);
+  table.transmittance[row] = shadow ? glm::uvec3(words) : glm::uvec3(0);
+}
+
+}  // namespace
+
+void dump_batch(Renderer::State& s, uint32_t bounce, const RayNames& names, RayTable& table) {
+  const rays::Batch& batch = s.batch.rays;
+  const auto rays = s.recorder.read<shared::Ray>(batch.rays, batch.count);
+  const auto hits = s.recorder.read<glm::uvec4>(s.batch.hits, batch.count);
+  const auto slots = s.recorder.read<uint32_t>(batch.slots, batch.count);
+  const std::vector<uint32_t> keys = read_keys(s), places = read_places(s);
+  const std::vector<uint32_t> pixels = read_w(s.recorder, names.pixels, names.first_surface, batch.surfaces);
+  const std::vector<uint32_t> paths = read_w(s.recorder, names.paths, names.first_surface, batch.surfaces);
+  const uint32_t first = table.size(), number = first ? table.batch.back() + 1 : 0;
+  resize(table, size_t(first) + batch.count);
+  for (const rays::Segment& segment : batch.segments)
+    for (uint32_t ray = segment.first; ray < segment.first + segment.count; ++ray) {
+      const size_t row = size_t(first) + ray;
+      set_ray(table, row, rays[ray]);
+      set_hit(table, row, hits[ray]);
+      table.bounce[row] = bounce;
+      table.light[row] = segment.light;
+      table.pixel[row] = pixels[slots[ray] % batch.surfaces];
+      table.path[row] = paths[slots[ray] % batch.surfaces];
+      table.batch[row] = number;
+      table.key[row] = keys[ray];
+      table.sorted[row] = first + places[ray];
+    }
+}
+
+}  // namespace crsh

@@ -1,0 +1,51 @@
+#pragma once
+// Rays as data: every ray of a frame and what became of it (--dump-rays), or rays to be traced (--replay-rays).
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace crsh {
+
+/// Columns of equal length, or empty where nothing is known; a row a ray. A frame's rows are in order of creation: by sample and portion of the image, by bounce,
+/// by kind, by light.
+struct RayTable {
+  // What is traced.
+  std::vector<glm::vec3> origin;     ///< metres; a shadow ray's is the light's end
+  std::vector<glm::vec3> direction;  ///< unit
+  std::vector<float> tmax;           ///< metres; infinity for closest-hit rays
+  std::vector<uint32_t> kind;        ///< shared::kind_*
+  std::vector<uint32_t> bounce;      ///< surfaces passed
+  std::vector<uint32_t> light;       ///< of shadow rays
+  // Where it belongs.
+  std::vector<uint32_t> pixel;  ///< row-major in the image
+  std::vector<uint32_t> path;   ///< 1, then a bit a bounce: 0 reflected, 1 refracted
+  std::vector<uint32_t> batch;  ///< rays of one batch, bounce, kind and light are sorted and bundled together
+  // What became of it.
+  std::vector<uint64_t> key;     ///< its hash, without kind and light; 0 where rays are not sorted
+  std::vector<uint32_t> sorted;  ///< its place among all rays after sorting; batches follow each other
+  std::vector<uint32_t> hit;     ///< the closest triangle, in the order in which the scene draws them, or `none`
+  std::vector<float> t;          ///< where; infinity: nothing
+  std::vector<glm::uvec3> transmittance;  ///< of shadow rays: shared::Hit's words
+
+  uint32_t width = 0, height = 0;  ///< of the image; 0: unknown
+
+  [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(origin.size()); }
+};
+
+/// Calls `visit(column)` for every column of `table`.
+template <class Table, class Visit>
+void for_columns(Table& table, Visit visit) {
+  visit(table.origin), visit(table.direction), visit(table.tmax), visit(table.kind), visit(table.bounce);
+  visit(table.light), visit(table.pixel), visit(table.path), visit(table.batch), visit(table.key), visit(table.sorted);
+  visit(table.hit), visit(table.t), visit(table.transmittance);
+}
+
+/// The same number of rows in every column; new ones are zeros.
+void resize(RayTable& table, size_t rows);
+
+/// The rows of these numbers, in this order.
+[[nodiscard]] RayTable rows_of(const RayTable& table, std::span<const uint32_t> numbers);
+
+}  // namespace crsh

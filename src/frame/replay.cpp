@@ -1,0 +1,74 @@
+// Rays of a table in place of a frame's: each batch is uploaded and taken through the steps that frames take.
+
+#include <bit>
+#include <numeric>
+
+#include "frame/replay_batches.h"
+#include "frame/trace.h"
+#include "primitives/grow.h"
+
+namespace crsh {
+namespace {
+
+/// A batch's rays as the shaders see them; a slot and a surface for each.
+struct Uploaded {
+  std::vector<shared::Ray> rays;
+  std::vector<uint32_t> slots;
+  std::vector<glm::vec4> pixels, paths;  ///< in w, as shading::Surfaces have them
+};
+
+Uploaded uploaded(const RayTable& table, const ReplayBatch& batch) {
+  Uploaded data;
+  for (const uint32_t row : batch.rows) {
+    data.rays.push_back({glm::vec4(table.origin[row], table.tmax[row]),
+                         glm::vec4(table.direction[row], float(table.kind[row]))});
+    data.pixels.push_back({0, 0, 0, std::bit_cast<float>(table.pixel[row])});
+    data.paths.push_back({0, 0, 0, std::bit_cast<float>(table.path[row])});
+  }
+  data.slots.resize(batch.rows.size());
+  std::iota(data.slots.begin(), data.slots.end(), 0u);
+  return data;
+}
+
+template <class T>
+void put(gpu::Recorder& recorder, gpu::Buffer& buffer, const std::vector<T>& values, std::string_view name) {
+  primitives::grow(recorder, buffer, (values.size() * sizeof(T) + 15) / 16 * 16, name);
+  gpu::upload_bytes(recorder.device(), buffer, 0, values.data(), values.size() * sizeof(T));
+}
+
+/// What of the hits came in another order goes back to the rows it belongs to. Keys of one's own stay.
+void restore_rows(const RayTable& given, const std::vector<uint32_t>& rows, RayTable& table) {
+  std::vector<uint32_t> places(rows.size());
+  for (uint32_t place = 0; place < rows.size(); ++place) places[rows[place]] = place;
+  table = rows_of(table, places);
+  table.batch = given.batch;
+  table.width = given.width, table.height = given.height;
+}
+
+}  // namespace
+
+void replay_rays(Renderer::State& s, const RayTable& table, double seconds) {
+  place_objects(s, s.scene.pose(seconds, s.animation));
+  s.film.layers = {};  // no pixels, no layers of tests
+  gpu::Buffer &pixels = s.paths.first.diffuse, &paths = s.paths.first.specular;
+  std::vector<uint32_t> rows;
+  rows.reserve(table.size());
+  for (const ReplayBatch& part : replay_batches(table, s.options.algorithm)) {
+    CRSH_ASSERT(part.bounce <= s.options.bounces, "a ray of a bounce without counters");
+    rays::Batch& batch = s.batch.rays;
+    s.recorder.submit();
+    const Uploaded data = uploaded(table, part);
+    batch.segments = part.segments;
+    batch.surfaces = batch.count = static_cast<uint32_t>(part.rows.size());
+    put(s.recorder, batch.rays, data.rays, "rays.rays");
+    put(s.recorder, batch.slots, data.slots, "rays.slots");
+    put(s.recorder, pixels, data.pixels, "pixels");
+    put(s.recorder, paths, data.paths, "paths");
+    trace(s, part.bounce, {pixels, paths, 0});
+    rows.insert(rows.end(), part.rows.begin(), part.rows.end());
+  }
+  s.recorder.submit();
+  if (s.dump) restore_rows(table, rows, *s.dump);
+}
+
+}  // namespace crsh
