@@ -1,0 +1,40 @@
+#pragma once
+// Embree, an independent ray tracer, version 3 or 4.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "oracle/geometry.h"
+
+namespace crsh::test {
+
+struct OracleRay {
+  glm::vec3 origin{0}, direction{0};
+  float tmax = 0;
+};
+
+struct Crossing {
+  uint32_t triangle = 0;
+  float t = 0;
+};
+
+/// Its scene of these triangles, which must outlive it. Robust: no ray slips between triangles.
+class Embree {
+ public:
+  explicit Embree(std::span<const OracleTriangle> triangles);
+  ~Embree();
+
+  /// The nearest triangle whose front the ray meets, or whose back, where that does not let it pass.
+  [[nodiscard]] std::optional<Crossing> closest(const OracleRay& ray) const;
+  /// Every triangle on the ray's way, once each.
+  [[nodiscard]] std::vector<Crossing> all(const OracleRay& ray) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace crsh::test

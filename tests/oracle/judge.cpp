@@ -1,0 +1,161 @@
+#include "oracle/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/limits.h"
+#include "shared/ray.h"
+
+namespace crsh::test {
+namespace {
+
+constexpr double margin = 1e-5;
+const glm::uvec3 blocked(0xFFFFFFFFu);
+
+/// What the GPU made of a ray.
+struct Traced {
+  OracleRay ray;
+  bool shadow = false;
+  uint32_t hit = shared::none;
+  float t = 0;
+  glm::uvec3 transmittance{0};
+};
+
+Traced traced(const RayTable& rays, uint32_t row) {
+  return {{rays.origin[row], rays.direction[row], rays.tmax[row]}, rays.kind[row] == shared::kind_shadow, rays.hit[row],
+          rays.t[row], rays.transmittance[row]};
+}
+
+/// Within the margin, or where the ray is too short for that, within `resolution`.
+bool same_distance(double a, double b, double resolution) {
+  return std::abs(a - b) <= std::max(margin * std::max(a, b), resolution);
+}
+
+double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// How well a distance can be known in float32, however short it is: four units in the last place of the largest
+/// coordinate, along the ray; and where a long thin triangle lies along the ray, the margin in barycentric coordinates.
+double resolution(const OracleRay& ray, const OracleTriangle& triangle) {
+  const glm::dvec3 a(triangle.a), b(triangle.b), c(triangle.c), direction(ray.direction);
+  const double cosine = std::abs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), direction));
+  const double size = std::max({largest(ray.origin), largest(a), largest(b), largest(c)});
+  const auto [nearest, farthest] = std::minmax({glm::dot(a, direction), glm::dot(b, direction), glm::dot(c, direction)});
+  return std::max(4 * 0x1p-23 * size / std::max(cosine, 1e-6), margin * (farthest - nearest));
+}
+
+glm::uvec3 saturating_sum(const glm::uvec3& a, const glm::uvec3& b) {
+  glm::uvec3 sum = a + b;
+  for (int channel = 0; channel < 3; ++channel)
+    if (sum[channel] < a[channel]) sum[channel] = blocked[channel];
+  return sum;
+}
+
+glm::uvec3 passed(const glm::uvec3& before, const OracleTriangle& triangle) {
+  return triangle.transmissive ? saturating_sum(before, triangle.tint) : blocked;
+}
+
+bool agrees(const Traced& traced, const Embree& embree, const std::vector<OracleTriangle>& triangles) {
+  if (traced.shadow) {
+    glm::uvec3 words(0);
+    for (const Crossing& crossing : embree.all(traced.ray)) words = passed(words, triangles[crossing.triangle]);
+    return words == traced.transmittance;
+  }
+  const auto closest = embree.closest(traced.ray);
+  if (!closest) return traced.hit == shared::none;
+  return traced.hit != shared::none && same_distance(traced.t, closest->t, 0);
+}
+
+enum class Meeting { none, sure, doubtful };
+
+struct Met {
+  uint32_t triangle = 0;
+  double t = 0, resolution = 0;
+  Meeting meeting = Meeting::none;
+};
+
+/// In double precision (Möller and Trumbore). Doubtful within the margin of an edge or of the ray's end.
+Met meet(const Traced& traced, const OracleTriangle& triangle, uint32_t number) {
+  const glm::dvec3 origin(traced.ray.origin), direction(traced.ray.direction), a(triangle.a);
+  const glm::dvec3 ab = glm::dvec3(triangle.b) - a, ac = glm::dvec3(triangle.c) - a, from_a = origin - a;
+  const glm::dvec3 p = glm::cross(direction, ac), q = glm::cross(from_a, ab);
+  const double determinant = glm::dot(ab, p);  // positive: the ray meets the front
+  if (determinant == 0 || (!traced.shadow && triangle.single_sided && determinant < 0)) return {};
+  const double v = glm::dot(from_a, p) / determinant, w = glm::dot(direction, q) / determinant;
+  const double t = glm::dot(ac, q) / determinant, inside = std::min({v, w, 1 - v - w}), end = traced.ray.tmax;
+  if (inside < -margin || t <= 0 || t > end * (1 + margin)) return {};
+  const bool doubtful = inside <= margin || t >= end * (1 - margin);
+  return {number, t, resolution(traced.ray, triangle), doubtful ? Meeting::doubtful : Meeting::sure};
+}
+
+enum class Finding { right, exception, wrong };
+
+/// The closest hit, if any doubtful meeting may be left out.
+Finding find_closest(const Traced& traced, const std::vector<Met>& met) {
+  const Met* own = nullptr;
+  double sure = std::numeric_limits<double>::infinity(), any = sure;
+  for (const Met& m : met) {
+    if (m.triangle == traced.hit) own = &m;
+    if (m.meeting == Meeting::sure) sure = std::min(sure, m.t);
+    any = std::min(any, m.t);
+  }
+  if (traced.hit == shared::none) return std::isfinite(sure) ? Finding::wrong : met.empty() ? Finding::right : Finding::exception;
+  if (!own || !same_distance(own->t, traced.t, own->resolution)) return Finding::wrong;
+  const double nearest = own->t - std::max(margin * own->t, own->resolution);
+  if (sure < nearest) return Finding::wrong;
+  const bool beyond_doubt = own->meeting == Meeting::sure && any >= nearest;
+  return beyond_doubt ? Finding::right : Finding::exception;
+}
+
+/// Whether any choice among the doubtful meetings from `first` on makes up the words.
+bool made_up(const glm::uvec3& words, const glm::uvec3& wanted, const std::vector<const OracleTriangle*>& doubtful, size_t first) {
+  if (first == doubtful.size()) return words == wanted;
+  return made_up(words, wanted, doubtful, first + 1) || made_up(passed(words, *doubtful[first]), wanted, doubtful, first + 1);
+}
+
+Finding find_shadow(const Traced& traced, const std::vector<Met>& met, const std::vector<OracleTriangle>& triangles) {
+  glm::uvec3 words(0);
+  std::vector<const OracleTriangle*> doubtful;
+  for (const Met& m : met) {
+    if (m.meeting == Meeting::sure) words = passed(words, triangles[m.triangle]);
+    else doubtful.push_back(&triangles[m.triangle]);
+  }
+  if (words == traced.transmittance && doubtful.empty()) return Finding::right;
+  return made_up(words, traced.transmittance, doubtful, 0) ? Finding::exception : Finding::wrong;
+}
+
+/// Against every triangle.
+Finding find(const Traced& traced, const std::vector<OracleTriangle>& triangles) {
+  std::vector<Met> met;
+  for (uint32_t i = 0; i < triangles.size(); ++i)
+    if (const Met m = meet(traced, triangles[i], i); m.meeting != Meeting::none) met.push_back(m);
+  return traced.shadow ? find_shadow(traced, met, triangles) : find_closest(traced, met);
+}
+
+std::string sentence(const RayTable& rays, uint32_t row) {
+  const glm::vec3 &o = rays.origin[row], &d = rays.direction[row];
+  return fmt::format("ray {} of kind {} and bounce {}, from ({}, {}, {}) along ({}, {}, {}) to {}: triangle {} at {}, "
+                     "transmittance ({:x}, {:x}, {:x})",
+                     row, rays.kind[row], rays.bounce[row], o.x, o.y, o.z, d.x, d.y, d.z, rays.tmax[row], int(rays.hit[row]),
+                     rays.t[row], rays.transmittance[row].x, rays.transmittance[row].y, rays.transmittance[row].z);
+}
+
+}  // namespace
+
+Verdict judged(const RayTable& rays, const std::vector<OracleTriangle>& triangles) {
+  const Embree embree(triangles);
+  Verdict verdict{.rays = rays.size(), .first_wrong = {}};
+  for (uint32_t row = 0; row < rays.size(); ++row) {
+    const Traced ray = traced(rays, row);
+    if (agrees(ray, embree, triangles)) continue;
+    ++verdict.disagreed;
+    const Finding finding = find(ray, triangles);
+    verdict.exceptions += finding == Finding::exception;
+    verdict.wrong += finding == Finding::wrong;
+    if (finding == Finding::wrong && verdict.first_wrong.empty()) verdict.first_wrong = sentence(rays, row);
+  }
+  return verdict;
+}
+
+}  // namespace crsh::test
