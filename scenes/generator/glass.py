@@ -78,9 +78,9 @@ def room(doc):
 def thick_glass(doc):
     """Lens, sphere, prism and block; each is closed and refracts."""
     clear = doc.material("thick glass", (1, 1, 1), 0.0, transmission=1.0, ior=1.5,
-                         volume=(0.3, (0.97, 0.99, 0.98), 1.0))
-    green = doc.material("green glass", (1, 1, 1), 0.0, transmission=1.0, ior=1.52,
-                         volume=(0.3, (0.25, 0.80, 0.55), 0.25))
+                         thickness=0.3)
+    green = doc.material("green glass", (0.45, 0.9, 0.65), 0.0, transmission=1.0, ior=1.52,
+                         thickness=0.3)
     brass = doc.material("brass", (0.90, 0.68, 0.30), 0.25, 1.0)
     doc.node("lens", doc.mesh("lens", lens(0.34, 0.75, 0.02), clear), at=(-0.42, 0.60, 0.10))
     stand = ring(0.355, 0.022)

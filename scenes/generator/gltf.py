@@ -63,8 +63,8 @@ class Document:
 
     def material(self, name, colour=(1, 1, 1), roughness=0.8, metallic=0.0, *,
                  emissive=None, texture=None, double_sided=False,
-                 transmission=0.0, ior=None, volume=None):
-        """Add a material; volume is (thickness, attenuation colour, distance)."""
+                 transmission=0.0, ior=None, thickness=None):
+        """Add a material; glass with a thickness is solid and bends light."""
         surface = {"baseColorFactor": [*colour, 1.0],
                    "metallicFactor": metallic, "roughnessFactor": roughness}
         if texture is not None:
@@ -79,11 +79,8 @@ class Document:
             extensions["KHR_materials_transmission"] = {"transmissionFactor": transmission}
         if ior:
             extensions["KHR_materials_ior"] = {"ior": ior}
-        if volume:
-            thickness, colour, distance = volume
-            extensions["KHR_materials_volume"] = {
-                "thicknessFactor": thickness, "attenuationColor": list(colour),
-                "attenuationDistance": distance}
+        if thickness:
+            extensions["KHR_materials_volume"] = {"thicknessFactor": thickness}
         if extensions:
             item["extensions"] = extensions
             self.extensions.update(extensions)

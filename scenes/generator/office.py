@@ -49,7 +49,7 @@ class Office:
         self.paints["pane"] = self.doc.material("pane", (0.95, 0.97, 0.98), 0.0, ior=1.5,
                                                 transmission=1.0, double_sided=True)
         self.paints["glass"] = self.doc.material("glass", (1, 1, 1), 0.0, transmission=1.0, ior=1.5,
-                                                 volume=(0.004, (0.80, 0.95, 0.92), 0.03))
+                                                 thickness=0.004)
         for number, colour in enumerate(BOOK_COLOURS):
             self.paints["cover %d" % number] = self.doc.material("cover %d" % number, colour, 0.55)
         self.meshes = {}
