@@ -46,10 +46,15 @@ Json by_kind(Get get) {
   return values;
 }
 
-std::string key_named(size_t kind, const std::string& name) {
-  if (name == "best") return std::string(ray_kinds[kind].best_key);
+std::vector<std::string> allowed_keys() {
   std::vector<std::string> allowed = rays::key_names();
   allowed.insert(allowed.begin(), "best");
+  return allowed;
+}
+
+std::string key_named(size_t kind, const std::string& name) {
+  if (name == "best") return std::string(ray_kinds[kind].best_key);
+  const std::vector<std::string> allowed = allowed_keys();
   return allowed[parse_choice(name, allowed)];
 }
 
@@ -58,7 +63,8 @@ Option algorithm_option(AlgorithmOptions& algorithm) {
           .help = fmt::format("Preset of the switches below, each of which changes one thing of it: {}.",
                               fmt::join(preset_names(), ", ")),
           .set = [&algorithm](const std::string& name) { algorithm = preset(name); },
-          .get = [&algorithm] { return algorithm.preset; }};
+          .get = [&algorithm] { return algorithm.preset; },
+          .words = preset_names()};
 }
 
 Option key_option(AlgorithmOptions& algorithm) {
@@ -77,7 +83,8 @@ Option key_option(AlgorithmOptions& algorithm) {
                     [&](size_t kind) { return algorithm.keys[kind].empty() ? "creation" : algorithm.keys[kind]; });
               },
           .repeats = true,
-          .initial = ""};
+          .initial = "",
+          .words = allowed_keys()};
 }
 
 Option levels_option(AlgorithmOptions& algorithm) {
@@ -96,7 +103,8 @@ Option bound_option(AlgorithmOptions& algorithm) {
   return {.names = "--bound", .value = "NAME", .help = fmt::format("Bound of a node: {}.", fmt::join(names, ", ")),
           .set = [&algorithm, names](const std::string& name) { algorithm.bound = names[parse_choice(name, names)]; },
           .get = [&algorithm] { return algorithm.bound; },
-          .initial = ""};
+          .initial = "",
+          .words = names};
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct Option {
   bool pixels = false;      ///< changes pixels: an attribute of the EXR
   std::optional<std::string> initial = {};  ///< the default as the help shows it; none: as `get` has it
   bool hidden = false;      ///< for tests: not in the help, and in the effective options only when set
+  std::vector<std::string> words = {};  ///< values with names, for shells to complete; a LIST has them with commas between
 
   /// The last of `names`, without its dashes.
   [[nodiscard]] std::string key() const;
@@ -52,6 +53,7 @@ struct Command {
 [[nodiscard]] Command render_command();
 [[nodiscard]] Command diff_command();
 [[nodiscard]] Command info_command();
+[[nodiscard]] Command completion_command();
 
 /// Sets everything that `arguments` (what follows the subcommand) name. Returns false where they ask for help.
 /// Throws UserError (wrong usage): one line that names the option, the value and what is allowed.
@@ -61,9 +63,16 @@ struct Command {
 [[nodiscard]] nlohmann::ordered_json effective_options(const std::vector<OptionGroup>& groups,
                                                        bool only_pixels = false);
 
+/// The default as the help shows it; empty: none.
+[[nodiscard]] std::string default_of(const Option& option);
+/// "Usage: crsh render SCENE [OPTION...]"
+[[nodiscard]] std::string usage_of(const Command& command);
+
 /// `crsh help COMMAND`.
 [[nodiscard]] std::string help_of(const Command& command);
 /// `crsh help`.
 [[nodiscard]] std::string general_help();
+/// `crsh help --man`: the manual page, in roff.
+[[nodiscard]] std::string manual_page();
 
 }  // namespace crsh::cli

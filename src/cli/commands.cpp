@@ -4,6 +4,6 @@
 
 namespace crsh::cli {
 
-std::vector<Command> commands() { return {render_command(), diff_command(), info_command()}; }
+std::vector<Command> commands() { return {render_command(), diff_command(), info_command(), completion_command()}; }
 
 }  // namespace crsh::cli

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/render_options.h"
 #include "cli/rows.h"
 #include "error.h"
 #include "output/diff.h"
@@ -49,7 +50,7 @@ std::vector<OptionGroup> diff_options(DiffCommand& command) {
         limit_row("--hard-fail", "No pixel may differ by more.", "0.05, or --fail where that is more",
                   command.hard_fail, any)}},
       {"What and where to",
-       {text("--layers", "LIST", "Layers to compare, with commas between: beauty, Z, Tests.node, ... or all.", command.layers),
+       {with_words(layer_words(), text("--layers", "LIST", "Layers to compare, with commas between, or all.", command.layers)),
         text("-o,--output", "FILE.png", "Write a picture: black where equal, white at the worst pixel.",
              command.picture),
         text("--json", "FILE|-", "Write the result as JSON.", command.json)}}};

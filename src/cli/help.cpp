@@ -36,12 +36,6 @@ std::string row(const std::string& left, const std::string& text) {
   return fmt::format("{:<{}}", left, text_column) + hanging(text);
 }
 
-std::string default_of(const Option& option) {
-  if (option.initial || !option.get) return option.initial.value_or("");
-  const nlohmann::ordered_json value = option.get();
-  return value.is_null() || value.is_boolean() ? "" : text_of(value);
-}
-
 /// "  -o, --output FILE", the long names below each other.
 std::string left_of(const Option& option) {
   const size_t comma = option.names.find(',');
@@ -54,17 +48,23 @@ std::string option_row(const Option& option) {
   return row(left_of(option), initial.empty() ? option.help : fmt::format("{} [{}]", option.help, initial));
 }
 
+}  // namespace
+
+std::string default_of(const Option& option) {
+  if (option.initial || !option.get) return option.initial.value_or("");
+  const nlohmann::ordered_json value = option.get();
+  return value.is_null() || value.is_boolean() ? "" : text_of(value);
+}
+
 std::string usage_of(const Command& command) {
   std::string usage = fmt::format("Usage: crsh {}", command.name);
   for (const Positional& positional : command.positionals)
     usage += positional.required ? fmt::format(" {}", positional.name) : fmt::format(" [{}]", positional.name);
-  return usage + " [OPTION...]\n";
+  return usage + (command.groups.empty() ? "" : " [OPTION...]");
 }
 
-}  // namespace
-
 std::string help_of(const Command& command) {
-  std::string text = fmt::format("{}\n{}\n", usage_of(command), command.summary);
+  std::string text = fmt::format("{}\n\n{}\n", usage_of(command), command.summary);
   for (const OptionGroup& group : command.groups) {
     std::string rows;
     for (const Option& option : group.options)
@@ -81,10 +81,10 @@ std::string general_help() {
       "Vulkan device, through a hierarchy over the rays.\n\nCommands:\n";
   for (const Command& command : commands()) {
     const size_t end = command.summary.find('\n');
-    text += fmt::format("  {:<10}{}\n", command.name, command.summary.substr(0, end));
+    text += fmt::format("  {:<12}{}\n", command.name, command.summary.substr(0, end));
   }
   return text +
-         "  help      Says more about a command: crsh help render\n"
+         "  help        Says more about a command: crsh help render; --man: the manual page\n"
          "\ncrsh --version says which version this is.\n"
          "\nExit status: 0 done, 1 failed, 2 wrong usage, 3 images differ, 77 no usable\nVulkan device.\n";
 }

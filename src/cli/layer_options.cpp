@@ -46,7 +46,14 @@ Option layers_option(LayerSet& layers) {
                 for (const std::string& name : split(text, ',')) add_named(chosen, name);
                 layers = chosen;
               },
-          .get = [&layers] { return fmt::format("{}", fmt::join(names_of(layers), ",")); }};
+          .get = [&layers] { return fmt::format("{}", fmt::join(names_of(layers), ",")); },
+          .words = layer_words()};
+}
+
+std::vector<std::string> layer_words() {
+  std::vector<std::string> words = names_of(LayerSet::all());
+  words.emplace_back("all");
+  return words;
 }
 
 std::string layers_help() {

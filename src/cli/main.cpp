@@ -26,6 +26,7 @@ using namespace crsh;
 
 void run_help(const std::vector<std::string>& arguments) {
   if (arguments.size() > 1) throw UserError("help: one command at a time", Exit::usage);
+  if (!arguments.empty() && arguments[0] == "--man") return output::write_stdout(cli::manual_page());
   output::write_stdout(arguments.empty() ? cli::general_help() : cli::help_of(find_command(arguments[0])));
 }
 

@@ -67,10 +67,10 @@ Option background_row(std::optional<glm::vec3>& background) {
           .pixels = true};
 }
 
-size_t kind_named(const std::string& name) {
+std::vector<std::string> kind_names() {
   std::vector<std::string> names;
   for (const RayKind& kind : ray_kinds) names.emplace_back(kind.name);
-  return parse_choice(name, names);
+  return names;
 }
 
 Option rays_row(std::array<bool, kind_count>& rays) {
@@ -78,7 +78,7 @@ Option rays_row(std::array<bool, kind_count>& rays) {
           .set = [&rays](const std::string& text) {
             std::array<bool, kind_count> chosen{};
             if (text != "none")
-              for (const std::string& name : split(text, ',')) chosen[kind_named(name)] = true;
+              for (const std::string& name : split(text, ',')) chosen[parse_choice(name, kind_names())] = true;
             rays = chosen;
           },
           .get = [&rays] {
@@ -87,7 +87,8 @@ Option rays_row(std::array<bool, kind_count>& rays) {
               if (rays[kind]) chosen.push_back(ray_kinds[kind].name);
             return chosen.empty() ? "none" : with_commas(chosen);
           },
-          .pixels = true};
+          .pixels = true,
+          .words = kind_names()};
 }
 
 OptionGroup picture_options(RenderOptions& options) {

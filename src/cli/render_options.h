@@ -50,6 +50,8 @@ struct RenderCommand {
 /// --layers, and a line a layer for the help.
 [[nodiscard]] Option layers_option(LayerSet& layers);
 [[nodiscard]] std::string layers_help();
+/// What --layers may name.
+[[nodiscard]] std::vector<std::string> layer_words();
 
 /// The pictures that the command asks for, in order of time.
 [[nodiscard]] std::vector<FrameTask> frame_tasks(const RenderCommand& command);

@@ -50,7 +50,8 @@ Option choice(std::string names, std::string value, std::string help, Enum& vari
           .set = [&variable, words](const std::string& given) {
             variable = static_cast<Enum>(parse_choice(given, words));
           },
-          .get = [&variable, words] { return words[static_cast<size_t>(variable)]; }};
+          .get = [&variable, words] { return words[static_cast<size_t>(variable)]; },
+          .words = words};
 }
 
 inline Option on_off(std::string names, std::string help, bool& variable) {
@@ -61,6 +62,9 @@ inline Option on_off(std::string names, std::string help, bool& variable) {
 [[nodiscard]] inline Option changes_pixels(Option option) { return option.pixels = true, option; }
 [[nodiscard]] inline Option with_default(std::string shown, Option option) {
   return option.initial = std::move(shown), option;
+}
+[[nodiscard]] inline Option with_words(std::vector<std::string> words, Option option) {
+  return option.words = std::move(words), option;
 }
 [[nodiscard]] inline Option not_effective(Option option) { return option.get = nullptr, option; }
 [[nodiscard]] inline Option hidden(Option option) { return option.hidden = true, option; }

@@ -90,7 +90,7 @@ std::string text_of(const nlohmann::ordered_json& value) {
   std::vector<std::string> parts;
   for (const auto& [key, part] : value.items())
     parts.push_back(value.is_object() ? fmt::format("{}={}", key, text_of(part)) : text_of(part));
-  return fmt::format("{}", fmt::join(parts, ","));
+  return fmt::format("{}", fmt::join(parts, value.is_object() ? "," : " "));
 }
 
 }  // namespace crsh::cli

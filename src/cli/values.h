@@ -30,7 +30,8 @@ namespace crsh::cli {
 /// The shortest decimal number that is this float, so that 0.1 stays 0.1.
 [[nodiscard]] nlohmann::ordered_json json_of(float value);
 [[nodiscard]] std::string text_of(const glm::vec3& vector);
-/// A value as it could be given on the command line: no quotes, lists with commas, objects as KEY=VALUE.
+/// A value as it could be given on the command line: no quotes, lists with spaces, objects as
+/// KEY=VALUE with commas.
 [[nodiscard]] std::string text_of(const nlohmann::ordered_json& value);
 
 }  // namespace crsh::cli
