@@ -53,11 +53,12 @@ std::string bash_values(const Command& command) {
   std::string cases;
   for_options(command, [&](const Option& option, const std::vector<std::string>& names) {
     std::string pattern;
-    for (const std::string& name : names) pattern += fmt::format("{}{}:{}", pattern.empty() ? "" : "|", command.name, name);
+    for (const std::string& name : names)
+      pattern += fmt::format("{}{}:{}", pattern.empty() ? "" : "|", command.name, name);
     if (!option.words.empty())
-      cases += fmt::format("    {}) _crsh_words '{}' {}; return ;;\n", pattern, words_of(option), takes_list(option) ? "list" : "one");
-    else if (!option.value.empty())
-      cases += fmt::format("    {}) return ;;\n", pattern);
+      cases += fmt::format("    {}) _crsh_words '{}' {}; return ;;\n", pattern, words_of(option),
+                           takes_list(option) ? "list" : "one");
+    else if (!option.value.empty()) cases += fmt::format("    {}) return ;;\n", pattern);
   });
   return cases;
 }
@@ -65,9 +66,11 @@ std::string bash_values(const Command& command) {
 /// Options where one is begun, else what the positionals may be: nothing leaves it to file names.
 std::string bash_options(const Command& command) {
   std::string names = "--help";
-  for_options(command, [&](const Option&, const std::vector<std::string>& own) { names += fmt::format(" {}", fmt::join(own, " ")); });
-  return fmt::format("    {}) [[ $current == -* ]] && _crsh_words '{}' one || _crsh_words '{}' one ;;\n", command.name, names,
-                     positional_words(command));
+  for_options(command, [&](const Option&, const std::vector<std::string>& own) {
+    names += fmt::format(" {}", fmt::join(own, " "));
+  });
+  return fmt::format("    {}) [[ $current == -* ]] && _crsh_words '{}' one || _crsh_words '{}' one ;;\n", command.name,
+                     names, positional_words(command));
 }
 
 std::string bash() {
@@ -87,11 +90,15 @@ std::string bash() {
          "_crsh() {\n"
          "  COMPREPLY=()\n"
          "  local current=${COMP_WORDS[COMP_CWORD]}\n"
-         "  if ((COMP_CWORD == 1)); then _crsh_words '" + names + " --version' one; return; fi\n"
-         "  case ${COMP_WORDS[1]}:${COMP_WORDS[COMP_CWORD - 1]} in\n" + values +
+         "  if ((COMP_CWORD == 1)); then _crsh_words '" +
+         names +
+         " --version' one; return; fi\n"
+         "  case ${COMP_WORDS[1]}:${COMP_WORDS[COMP_CWORD - 1]} in\n" +
+         values +
          "  esac\n"
-         "  case ${COMP_WORDS[1]} in\n" + options +
-         "    help) _crsh_words '" + names + " --man' one ;;\n"
+         "  case ${COMP_WORDS[1]} in\n" +
+         options + "    help) _crsh_words '" + names +
+         " --man' one ;;\n"
          "  esac\n"
          "}\n"
          "complete -o default -F _crsh crsh\n";
@@ -124,12 +131,14 @@ std::string zsh_options(const Command& command) {
   for_options(command, [&](const Option& option, const std::vector<std::string>& names) {
     const std::string all = fmt::format("{}", fmt::join(names, ","));
     const std::string exclusive = option.repeats ? "*" : fmt::format("({})", fmt::join(names, " "));
-    const std::string name = names.size() == 1 ? fmt::format("'{}{}", exclusive, all) : fmt::format("'{}'{{{}}}'", exclusive, all);
+    const std::string name =
+        names.size() == 1 ? fmt::format("'{}{}", exclusive, all) : fmt::format("'{}'{{{}}}'", exclusive, all);
     rows += fmt::format(" \\\n        {}[{}]{}'", name, zsh_text(option.help), zsh_value(option));
   });
   const std::string words = positional_words(command);
   rows += words.empty() ? " \\\n        '*:file:_files'" : fmt::format(" \\\n        ':shell:({})'", words);
-  return fmt::format("    {})\n      _arguments '(- *)'{{-h,--help}}'[Say what the options are.]'{} ;;\n", command.name, rows);
+  return fmt::format("    {})\n      _arguments '(- *)'{{-h,--help}}'[Say what the options are.]'{} ;;\n", command.name,
+                     rows);
 }
 
 std::string zsh() {
@@ -140,14 +149,16 @@ std::string zsh() {
   }
   return "#compdef crsh\n# zsh completion for crsh, made by: crsh completion zsh\n\n"
          "_crsh() {\n"
-         "  local -a commands=(\n" + names +
+         "  local -a commands=(\n" +
+         names +
          "    'help:Says more about a command.'\n"
          "  )\n"
          "  if ((CURRENT == 2)); then _describe command commands; return; fi\n"
          "  local command=$words[2]\n"
          "  shift words\n"
          "  ((CURRENT--))\n"
-         "  case $command in\n" + options +
+         "  case $command in\n" +
+         options +
          "    help) _describe command commands ;;\n"
          "  esac\n"
          "}\n\n"
@@ -185,11 +196,13 @@ std::string fish_options(const Command& command) {
 std::string fish() {
   std::string text = "# fish completion for crsh, made by: crsh completion fish\n\ncomplete -c crsh -f\n", options;
   for (const Command& command : commands()) {
-    text += fmt::format("complete -c crsh -n __fish_use_subcommand -a {} -d {}\n", command.name, fish_text(command.summary));
+    text += fmt::format("complete -c crsh -n __fish_use_subcommand -a {} -d {}\n", command.name,
+                        fish_text(command.summary));
     options += fish_options(command);
   }
   text += "complete -c crsh -n __fish_use_subcommand -a help -d 'Says more about a command.'\n";
-  text += fmt::format("complete -c crsh -n '__fish_seen_subcommand_from help' -a '{}'\n", fmt::join(command_names(), " "));
+  text +=
+      fmt::format("complete -c crsh -n '__fish_seen_subcommand_from help' -a '{}'\n", fmt::join(command_names(), " "));
   return text + options;
 }
 

@@ -34,7 +34,8 @@ std::string option_entry(const Option& option) {
 }
 
 std::string command_section(const Command& command) {
-  std::string text = fmt::format(".SH CRSH {}\n{}\n.PP\n{}\n", command.name, roff(usage_of(command)), roff(command.summary));
+  std::string text =
+      fmt::format(".SH CRSH {}\n{}\n.PP\n{}\n", command.name, roff(usage_of(command)), roff(command.summary));
   for (const OptionGroup& group : command.groups) {
     text += fmt::format(".SS {}\n", roff(group.title));
     for (const Option& option : group.options)
@@ -53,7 +54,8 @@ std::string manual_page() {
       ".SH SYNOPSIS\n"
       "\\fBcrsh\\fR \\fICOMMAND\\fR ...\n"
       ".SH DESCRIPTION\n"
-      "Renders on any Vulkan device, without ray\\-tracing hardware, through a hierarchy over the rays. Data goes to standard\n"
+      "Renders on any Vulkan device, without ray\\-tracing hardware, through a hierarchy over the rays. Data goes to "
+      "standard\n"
       "output, everything else to standard error. An output file appears whole or not at all.\n",
       version);
   for (const Command& command : commands()) text += command_section(command);

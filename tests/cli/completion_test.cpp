@@ -27,8 +27,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::vector<std::string> bash_offers(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += " '" + word + "'";
-  const std::string script = "source <('" + test::crsh_path() + "' completion bash); COMP_WORDS=(" + list + "); COMP_CWORD=" +
-                             std::to_string(words.size() - 1) + "; _crsh; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  const std::string script = "source <('" + test::crsh_path() + "' completion bash); COMP_WORDS=(" + list +
+                             "); COMP_CWORD=" + std::to_string(words.size() - 1) +
+                             "; _crsh; printf '%s\\n' \"${COMPREPLY[@]}\"";
   const test::Outcome outcome = test::run_program("bash", {"--norc", "-c", script});
   CHECK(outcome.err == "");
   return lines_of(outcome.out);

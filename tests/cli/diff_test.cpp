@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "frame/layers.h"
 #include "output/diff.h"
 #include "output/exr.h"
 #include "output/png.h"
@@ -156,6 +157,40 @@ TEST_CASE("idiff finds our EXR files equal and different where we do") {
   CHECK(theirs("a.exr") == 0);
   CHECK(theirs("b.exr") != 0);
   CHECK(files.diff("exr", {"--exact"}).status == 3);
+}
+
+/// A picture with every layer, and the file of it in which one value of one layer is other.
+Picture layered_picture(LayerId other = LayerId::beauty, float change = 0) {
+  Picture picture{.width = 5, .height = 3, .layers = {}};
+  for (size_t id = 0; id < layer_count; ++id) {
+    const auto layer = static_cast<LayerId>(id);
+    Layer& made = picture.layers.emplace_back(Layer{picture_layer(layer), channels_of(layer), {}, {}});
+    const bool numbers = layer == LayerId::object || layer == LayerId::material;
+    if (numbers) made.ids.assign(15, 7);
+    else made.values.assign(15 * made.channels.size(), 0.5f);
+    if (layer != other) continue;
+    if (numbers) made.ids[4] += change != 0;
+    else made.values[4] += change;
+  }
+  return picture;
+}
+
+TEST_CASE("a value that differs is seen in its own layer and no other, and idiff sees it, too") {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> every = picture_layers(LayerSet::all());
+  output::write_exr(folder / "a.exr", layered_picture(), every, {});
+  const bool idiff = idiff_is_here();
+  const LayerSet of_each_type = {LayerId::beauty, LayerId::object, LayerId::node_tests};
+  for (const LayerRow& row : layer_table) {
+    CAPTURE(row.name);
+    const auto layer = static_cast<LayerId>(&row - layer_table.data());
+    output::write_exr(folder / "b.exr", layered_picture(layer, 0.25f), every, {});
+    const output::Image a = output::read_image(folder / "a.exr"), b = output::read_image(folder / "b.exr");
+    for (const LayerRow& compared : layer_table)
+      CHECK(output::compare(a, b, {std::string(compared.name)}, {.exact = true}).same == (&compared != &row));
+    if (idiff && of_each_type.has(layer))
+      CHECK(test::run_program("idiff", {"-fail", "0", "-warn", "0", folder / "a.exr", folder / "b.exr"}).status != 0);
+  }
 }
 
 }  // namespace

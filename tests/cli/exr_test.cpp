@@ -62,21 +62,28 @@ TEST_CASE("the matrices take P to Z and to its pixel, points as rows, as OpenEXR
 TEST_CASE("attributes are the options that change pixels, with their effective values") {
   const test::TemporaryFolder folder;
   const std::string path = folder / "a.exr";
-  render(path, {"--seed", "3", "--time", "0.5", "--eye", "0,2,9", "--light", "1,4,2", "--light", "1,5,2,40", "--algorithm", "rah",
-                "--layers", "beauty", "--max-memory", "512"});
+  render(path, {"--seed", "3", "--time", "0.5", "--eye", "0,2,9", "--light", "1,4,2", "--light", "1,5,2,40",
+                "--algorithm", "rah", "--layers", "beauty", "--max-memory", "512"});
   const Imf::InputFile file(path.c_str());
-  const std::map<std::string, std::string> expected = {
-      {"crsh:size", "24x16"},      {"crsh:samples", "1"},        {"crsh:seed", "3"},
-      {"crsh:bounces", "0"},       {"crsh:time", "0.5"},         {"crsh:rays", "shadow,reflection,refraction"},
-      {"crsh:background", "0,0,0"}, {"crsh:override-mirror", "false"}, {"crsh:eye", "0,2,9"},
-      {"crsh:up", "0,1,0"},        {"crsh:light", "1,4,2 1,5,2,40"}};
+  const std::map<std::string, std::string> expected = {{"crsh:size", "24x16"},
+                                                       {"crsh:samples", "1"},
+                                                       {"crsh:seed", "3"},
+                                                       {"crsh:bounces", "0"},
+                                                       {"crsh:time", "0.5"},
+                                                       {"crsh:rays", "shadow,reflection,refraction"},
+                                                       {"crsh:background", "0,0,0"},
+                                                       {"crsh:override-mirror", "false"},
+                                                       {"crsh:eye", "0,2,9"},
+                                                       {"crsh:up", "0,1,0"},
+                                                       {"crsh:light", "1,4,2 1,5,2,40"}};
   CHECK(strings_of(file.header()) == expected);
 }
 
 TEST_CASE("no name, place, algorithm or amount of memory is in the bytes") {
   const test::TemporaryFolder folder;
   render(folder / "a.exr", {});
-  render(folder / "another name.exr", {"--algorithm", "rah", "--max-memory", "512", "-o", folder / "b.png", "--stats", folder / "s"});
+  render(folder / "another name.exr",
+         {"--algorithm", "rah", "--max-memory", "512", "-o", folder / "b.png", "--stats", folder / "s"});
   CHECK(output::read_whole(folder / "a.exr") == output::read_whole(folder / "another name.exr"));
 }
 
