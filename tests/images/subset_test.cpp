@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
+#include "gpu/program.h"
 #include "rays/hash.h"
 #include "support/device.h"
 #include "support/render.h"
@@ -45,6 +47,40 @@ TEST_CASE("every key, with compression, and every way to build levels give the s
       options.algorithm.levels = {3, 2, 1};
       CHECK(difference(ours, render(glass, options)) == "");
     }
+  CHECK(device().validation_messages() == 0);
+}
+
+std::vector<std::string> bounds() {
+  constexpr std::string_view prefix = "hierarchy/fit@", suffix = ".comp";
+  std::vector<std::string> names;
+  for (const std::string_view file : gpu::embedded_files())
+    if (file.starts_with(prefix))
+      names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
+  return names;
+}
+
+/// On both kinds of device: where lanes read lists together, and where each walks alone.
+void check_bound(const std::string& bound, gpu::Device& alone, const Rendered& expected) {
+  CAPTURE(bound);
+  RenderOptions options = tiny(1);
+  options.algorithm.bound = bound;
+  options.algorithm.nodes = NodeCut::fixed;
+  CHECK(difference(expected, render(own_scene("glass"), options)) == "");
+  options.algorithm.fit = Fit::merged;
+  options.algorithm.keys = {"creation", "hilbert", "creation"};
+  CHECK(difference(expected, render(alone, own_scene("glass"), options)) == "");
+}
+
+TEST_CASE("every bound gives the same, and so do lanes that walk alone, without a validation message") {
+  gpu::DeviceRequest request = device_request();
+  request.walk_alone = true;
+  gpu::Device alone(request);
+  const Rendered expected = render(own_scene("glass"), tiny(1));
+  for (const std::string& bound : bounds()) check_bound(bound, alone, expected);
+  RenderOptions brute = tiny(1);
+  brute.algorithm = preset("brute");
+  CHECK(difference(expected, render(alone, own_scene("glass"), brute)) == "");
+  CHECK(alone.validation_messages() == 0);
   CHECK(device().validation_messages() == 0);
 }
 

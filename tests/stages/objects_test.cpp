@@ -207,7 +207,7 @@ TEST_CASE("rays one by one meet what brute force does, and count what they test"
   CHECK(single.counters == small.counters);
 }
 
-TEST_CASE("rays that need very many tests go on from dispatch to dispatch") {
+TEST_CASE("rays that need very many tests go on from dispatch to dispatch" * doctest::test_suite("subset")) {
   const uint32_t count = 9000;
   const Triangles triangles(count, Triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
   Tracer tracer(test::device());
