@@ -48,7 +48,7 @@ Json by_kind(Get get) {
 
 std::vector<std::string> allowed_keys() {
   std::vector<std::string> allowed = rays::key_names();
-  allowed.insert(allowed.begin(), "best");
+  allowed.insert(allowed.begin(), {"best", std::string(rays::key_of_file)});
   return allowed;
 }
 
@@ -70,7 +70,7 @@ Option algorithm_option(AlgorithmOptions& algorithm) {
 Option key_option(AlgorithmOptions& algorithm) {
   return {.names = "--key",
           .value = "[KIND=]NAME",
-          .help = fmt::format("Sort key of one kind of rays ({}) or of all: best, {}. Repeats.",
+          .help = fmt::format("Sort key of one kind of rays ({}) or of all: best, {}; file: those of --replay-rays. Repeats.",
                               fmt::join(kind_names(), ", "), fmt::join(rays::key_names(), ", ")),
           .set =
               [&algorithm](const std::string& given) {

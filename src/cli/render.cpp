@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.h"
 #include "cli/render_checks.h"
 #include "cli/render_options.h"
 #include "cli/values.h"
+#include "error.h"
 #include "frame/renderer.h"
 #include "output/exposure.h"
 #include "output/exr.h"
@@ -20,6 +22,7 @@
 #include "output/ray_file.h"
 #include "output/stats_json.h"
 #include "output/whole_file.h"
+#include "rays/hash.h"
 #include "scene/scene.h"
 
 namespace crsh::cli {
@@ -111,6 +114,28 @@ Picture render_frames(Run& run) {
   return picture;
 }
 
+/// The rays of --replay-rays, of the kinds that --rays has.
+RayTable read_replay(const RenderCommand& command) {
+  const RayTable all = output::read_rays(command.replay_rays);
+  const auto& keys = command.options.algorithm.keys;
+  if (all.key.empty() && std::ranges::find(keys, rays::key_of_file) != keys.end())
+    throw UserError(fmt::format("{}: has no array 'key', which --key file needs", command.replay_rays));
+  std::vector<uint32_t> rows;
+  for (uint32_t row = 0; row < all.size(); ++row)
+    if (command.options.rays[all.kind[row]]) rows.push_back(row);
+  return rows_of(all, rows);
+}
+
+/// There are counters for every bounce of the rays.
+void count_bounces_of(const RayTable& rays, uint32_t& bounces) {
+  for (const uint32_t bounce : rays.bounce) bounces = std::max(bounces, bounce);
+}
+
+void replay(Run& run, const RayTable& rays) {
+  run.renderer.replay(rays, frame_tasks(run.command).front().seconds, run.dump());
+  if (run.dump()) write_dump(run);
+}
+
 void write_stats(const Run& run, const gpu::Device& device, const Picture& last, const std::vector<std::string>& line) {
   const RenderCommand& command = run.command;
   const output::RunDescription description{.command = line,
@@ -122,7 +147,8 @@ void write_stats(const Run& run, const gpu::Device& device, const Picture& last,
                                            .width = last.width,
                                            .height = last.height,
                                            .samples = command.options.samples,
-                                           .algorithm = command.options.algorithm.preset};
+                                           .algorithm = command.options.algorithm.preset,
+                                           .replayed = !command.replay_rays.empty()};
   const std::string text = output::json_text(output::stats_json(description, run.renderer.statistics()));
   command.stats == "-" ? output::write_stdout(text) : output::write_whole(command.stats, text);
 }
@@ -160,6 +186,8 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   check_places(command);
   drop_unused_layers(command);
   const scene::Scene scene = scene::load(command.scene, command.options.scene);
+  const RayTable rays = command.replay_rays.empty() ? RayTable() : read_replay(command);
+  count_bounces_of(rays, command.options.bounces);
   gpu::Device device(command.device);
   say_what_runs(command, scene, device.info());
   Renderer renderer(device, scene, command.options);
@@ -169,7 +197,8 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   const auto frames = static_cast<uint32_t>(frame_tasks(command).size());
   output::Progress progress(progress_mode(command), frames);
   Run run{command, renderer, progress, {}};
-  const Picture last = render_frames(run);
+  Picture last;
+  command.replay_rays.empty() ? void(last = render_frames(run)) : replay(run, rays);
   if (run.clamped)
     say(command, fmt::format("{} values beyond 65504, the largest half, were clamped to it", run.clamped));
   if (!command.stats.empty()) write_stats(run, device, last, line);

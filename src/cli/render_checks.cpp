@@ -9,6 +9,7 @@
 
 #include "error.h"
 #include "output/whole_file.h"
+#include "rays/hash.h"
 
 namespace crsh::cli {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 [[noreturn]] void misuse(const std::string& what) { throw UserError(what + " (see crsh help render)", Exit::usage); }
 
 void check_outputs(const RenderCommand& command) {
-  if (command.outputs.empty() && command.dump_rays.empty()) misuse("-o FILE is missing: where shall the picture go");
+  if (command.outputs.empty() && command.dump_rays.empty() && command.replay_rays.empty()) misuse("-o FILE is missing: where shall the picture go");
   const auto on_stdout = std::ranges::count_if(command.outputs, &output::PathPattern::to_stdout);
   if (on_stdout + (command.stats == "-") > 1) misuse("two outputs on standard output: give one of them a file");
   if (on_stdout && ::isatty(STDOUT_FILENO)) misuse("-o -: standard output is a terminal: redirect it, or name a file");
@@ -25,11 +26,17 @@ void check_outputs(const RenderCommand& command) {
     if (!pattern.has_frame()) misuse(fmt::format("-o {}: several frames need {{frame}} in the path", pattern.text()));
 }
 
-/// One picture's rays to one file of NumPy's.
+/// One picture's rays to one file of NumPy's; and in their place others, of which no picture comes.
 void check_rays(const RenderCommand& command) {
-  if (command.dump_rays.empty()) return;
-  if (!command.dump_rays.ends_with(".npz")) misuse(fmt::format("--dump-rays {}: .npz is written", command.dump_rays));
-  if (command.frames) misuse("--dump-rays is for one picture, --frames for many: give --time");
+  const auto& keys = command.options.algorithm.keys;
+  const bool replays = !command.replay_rays.empty(), dumps = !command.dump_rays.empty();
+  if (!replays && std::ranges::find(keys, rays::key_of_file) != keys.end())
+    misuse("--key file: the keys are those of --replay-rays, which is missing");
+  if (dumps && !command.dump_rays.ends_with(".npz")) misuse(fmt::format("--dump-rays {}: .npz is written", command.dump_rays));
+  if ((dumps || replays) && command.frames) misuse("--dump-rays and --replay-rays are for one picture: give --time, not --frames");
+  if (!replays) return;
+  if (!command.outputs.empty()) misuse("--replay-rays makes no picture: give --stats or --dump-rays in place of -o");
+  if (command.stats.empty() && !dumps) misuse("--replay-rays: give --stats FILE or --dump-rays FILE for what becomes of the rays");
 }
 
 void check_view(const ViewOption& view, const std::string& camera) {
@@ -55,8 +62,8 @@ void check_distinct(const RenderCommand& command) {
 void check_combinations(const RenderCommand& command) {
   if (command.seconds && command.frames) misuse("--time is for one picture, --frames for many: give one");
   check_view(command.options.view, command.options.camera);
-  check_outputs(command);
   check_rays(command);
+  check_outputs(command);
   check_distinct(command);
 }
 

@@ -34,7 +34,7 @@ struct RenderCommand {
   gpu::DeviceRequest device;
   std::vector<output::PathPattern> outputs;
   std::string stats;                                 ///< path, "-" or empty
-  std::string dump_rays;                             ///< path or empty
+  std::string dump_rays, replay_rays;                ///< paths or empty
   std::optional<float> exposure = 0.0f;              ///< stops; none: automatic
   std::optional<float> seconds;                      ///< --time
   std::optional<FrameRange> frames;

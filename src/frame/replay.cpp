@@ -1,11 +1,13 @@
 // Rays of a table in place of a frame's: each batch is uploaded and taken through the steps that frames take.
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
 
 #include "frame/replay_batches.h"
 #include "frame/trace.h"
 #include "primitives/grow.h"
+#include "rays/hash.h"
 
 namespace crsh {
 namespace {
@@ -30,6 +32,19 @@ Uploaded uploaded(const RayTable& table, const ReplayBatch& batch) {
   return data;
 }
 
+/// Keys of any width as their ranks in the batch, which sort and tie alike.
+std::vector<uint32_t> ranks_of_keys(const RayTable& table, const ReplayBatch& batch, uint32_t& bits) {
+  std::vector<uint64_t> values;
+  for (const uint32_t row : batch.rows) values.push_back(table.key[row]);
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  std::vector<uint32_t> ranks;
+  for (const uint32_t row : batch.rows)
+    ranks.push_back(static_cast<uint32_t>(std::ranges::lower_bound(values, table.key[row]) - values.begin()));
+  bits = std::bit_width(values.size() - 1);
+  return ranks;
+}
+
 template <class T>
 void put(gpu::Recorder& recorder, gpu::Buffer& buffer, const std::vector<T>& values, std::string_view name) {
   primitives::grow(recorder, buffer, (values.size() * sizeof(T) + 15) / 16 * 16, name);
@@ -37,11 +52,13 @@ void put(gpu::Recorder& recorder, gpu::Buffer& buffer, const std::vector<T>& val
 }
 
 /// What of the hits came in another order goes back to the rows it belongs to. Keys of one's own stay.
-void restore_rows(const RayTable& given, const std::vector<uint32_t>& rows, RayTable& table) {
+void restore_rows(const RayTable& given, const std::vector<uint32_t>& rows, const rays::Keys& keys, RayTable& table) {
   std::vector<uint32_t> places(rows.size());
   for (uint32_t place = 0; place < rows.size(); ++place) places[rows[place]] = place;
   table = rows_of(table, places);
   table.batch = given.batch;
+  for (uint32_t row = 0; row < table.size(); ++row)
+    if (keys[table.kind[row]] == rays::key_of_file) table.key[row] = given.key[row];
   table.width = given.width, table.height = given.height;
 }
 
@@ -64,11 +81,12 @@ void replay_rays(Renderer::State& s, const RayTable& table, double seconds) {
     put(s.recorder, batch.slots, data.slots, "rays.slots");
     put(s.recorder, pixels, data.pixels, "pixels");
     put(s.recorder, paths, data.paths, "paths");
+    if (!table.key.empty()) put(s.recorder, batch.given_keys, ranks_of_keys(table, part, batch.given_bits), "given keys");
     trace(s, part.bounce, {pixels, paths, 0});
     rows.insert(rows.end(), part.rows.begin(), part.rows.end());
   }
   s.recorder.submit();
-  if (s.dump) restore_rows(table, rows, *s.dump);
+  if (s.dump) restore_rows(table, rows, s.options.algorithm.keys, *s.dump);
 }
 
 }  // namespace crsh

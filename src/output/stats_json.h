@@ -20,6 +20,7 @@ struct RunDescription {
   glm::mat4 world_to_camera{1}, world_to_ndc{1};  ///< of the last frame, as in the EXR
   uint32_t width = 0, height = 0, samples = 1;
   std::string algorithm;
+  bool replayed = false;  ///< no camera, no image
 };
 
 /// Counters are exact 64-bit integers, hits_digest 16 hex digits.

@@ -21,6 +21,8 @@ struct Batch {
   gpu::Buffer rays;     ///< shared::Ray a ray, in creation order, trimmed
   gpu::Buffer slots;    ///< uint a ray: the slot it came from
   gpu::Buffer ends;     ///< uint a slot: inclusive scan of the head flags; slot s holds ray ends[s] - 1 where ends[s] > ends[s-1]
+  gpu::Buffer given_keys;   ///< uint a ray: keys from a file, where there are any
+  uint32_t given_bits = 0;  ///< of those keys
   std::vector<Segment> segments;
   uint32_t surfaces = 0;  ///< slots a segment
   uint32_t count = 0;     ///< rays

@@ -21,13 +21,22 @@ struct Push {
   uint32_t count, segment, kind;
 };
 
+/// As given_keys.comp declares it.
+struct GivenPush {
+  uint32_t first, count, segment;
+};
+
 std::string kernel_of(std::string_view key) { return std::string(prefix) + std::string(key.empty() ? "creation" : key); }
+
+uint32_t bits_of(const Batch& batch, const std::string& key, uint32_t kind) {
+  return key == key_of_file ? batch.given_bits : hash_bits(key, kind);
+}
 
 /// The widest hash of the batch's rays.
 uint32_t widest_hash(const Batch& batch, const Keys& keys) {
   uint32_t bits = 0;
   for (const Segment& segment : batch.segments)
-    if (segment.count > 0) bits = std::max(bits, hash_bits(keys[segment.kind], segment.kind));
+    if (segment.count > 0) bits = std::max(bits, bits_of(batch, keys[segment.kind], segment.kind));
   return bits;
 }
 
@@ -82,6 +91,11 @@ uint32_t hash(gpu::Recorder& recorder, const Batch& batch, const Keys& keys, con
     const Segment& segment = batch.segments[i];
     push.first = segment.first, push.count = segment.count, push.kind = segment.kind;
     push.segment = bits < 32 ? i << bits : 0;
+    if (keys[segment.kind] == key_of_file) {
+      recorder.dispatch("rays/given_keys", segment.count, GivenPush{push.first, push.count, push.segment},
+                        {batch.given_keys, pairs}, segment.count);
+      continue;
+    }
     recorder.dispatch(kernel_of(keys[segment.kind]), segment.count, push, {batch.rays, pairs}, segment.count);
   }
   return bits + segment_bits;

@@ -14,8 +14,11 @@
 
 namespace crsh::rays {
 
-/// A sort key a ray kind: names of files below shaders/rays/keys/. Empty, or "creation": creation order.
+/// A sort key a ray kind: names of files below shaders/rays/keys/. Empty, or "creation": creation order. key_of_file: the
+/// batch's given keys.
 using Keys = std::array<std::string, kind_count>;
+
+inline constexpr std::string_view key_of_file = "file";
 
 /// Names of all sort keys that the build found, sorted.
 [[nodiscard]] std::vector<std::string> key_names();

@@ -12,7 +12,7 @@ build_packages=(
 )
 
 # What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display.
-test_packages=(vulkan-validationlayers libembree-dev openimageio-tools xvfb xauth)
+test_packages=(vulkan-validationlayers libembree-dev python3-numpy openimageio-tools xvfb xauth)
 
 # Prints those of the packages that are not installed.
 missing_packages() {
