@@ -60,8 +60,9 @@ std::string key_named(size_t kind, const std::string& name) {
 
 Option algorithm_option(AlgorithmOptions& algorithm) {
   return {.names = "--algorithm", .value = "NAME",
-          .help = fmt::format("Preset of the switches below, each of which changes one thing of it: {}.",
-                              fmt::join(preset_names(), ", ")),
+          .help = fmt::format("Preset of the switches below, each of which changes one thing of it: {}; or {}, where the "
+                              "device has VK_KHR_ray_query (its own hierarchy: the picture is near the others').",
+                              fmt::join(preset_names(), ", "), ray_query_preset),
           .set = [&algorithm](const std::string& name) { algorithm = preset(name); },
           .get = [&algorithm] { return algorithm.preset; },
           .words = preset_names()};

@@ -25,6 +25,14 @@ AlgorithmOptions bvh() {
   return options;
 }
 
+/// The device's own hierarchy and traversal.
+AlgorithmOptions ray_query() {
+  AlgorithmOptions options = brute();
+  options.preset = ray_query_preset;
+  options.tracing = Tracing::ray_query;
+  return options;
+}
+
 /// Roger et al. 2007: rays as they come from screen tiles.
 AlgorithmOptions rah() {
   AlgorithmOptions options;
@@ -66,10 +74,11 @@ const std::vector<std::string>& preset_names() {
 AlgorithmOptions preset(const std::string& name) {
   if (name == "brute") return brute();
   if (name == "bvh") return bvh();
+  if (name == ray_query_preset) return ray_query();
   if (name == "rah") return rah();
   if (name == "crsh-2017") return crsh_2017();
   if (name == "crsh") return crsh_best();
-  throw UserError(fmt::format("no such algorithm: choose {}", fmt::join(preset_names(), ", ")), Exit::usage);
+  throw UserError(fmt::format("no such algorithm: choose {}, {}", fmt::join(preset_names(), ", "), ray_query_preset), Exit::usage);
 }
 
 }  // namespace crsh

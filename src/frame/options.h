@@ -31,7 +31,7 @@ enum class RayOrder { scanline, tiles };
 enum class NodeCut { fixed, cut };
 enum class Fit { merged, all };
 /// What meets the scene: nodes of rays, or single rays; by themselves, or through the object hierarchy.
-enum class Tracing { nodes, brute, single_rays };
+enum class Tracing { nodes, brute, single_rays, ray_query };
 
 /// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
 struct AlgorithmOptions {
@@ -52,10 +52,12 @@ struct AlgorithmOptions {
   bool mixed_batches = true;                 ///< ray kinds of a bounce are sorted and bundled together
 };
 
-/// The preset of this name: brute, bvh, rah, crsh-2017 or crsh. Throws UserError that lists them for any other.
+/// The preset of this name: one of preset_names(), or ray_query_preset. Throws UserError that lists them for any other.
 [[nodiscard]] AlgorithmOptions preset(const std::string& name);
-/// Names of all presets, in the order in which tables show them.
+/// Names of the presets that give the same picture bit for bit on every device, in the order in which tables show them.
 [[nodiscard]] const std::vector<std::string>& preset_names();
+/// The preset that only devices with ray queries have, and whose picture is the same within a tolerance.
+inline constexpr const char* ray_query_preset = "ray-query";
 
 struct RenderOptions {
   uint32_t width = 0, height = 512;  ///< width 0: from the camera's aspect

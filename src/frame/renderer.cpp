@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "frame/state.h"
+#include "scene/device_materials.h"
 
 namespace crsh {
 namespace {
@@ -52,7 +53,15 @@ void add(Statistics& sum, const Statistics& frame) {
   }
 }
 
+/// Every triangle blocks shadow rays, and shows its back.
+bool all_plain(const scene::Scene& scene) {
+  for (uint32_t i = 0; i < scene.materials.size(); ++i)
+    if (scene::flagged_material(scene, i) != i) return false;
+  return true;
+}
+
 void load(Renderer::State& s) {
+  if (s.options.algorithm.tracing == Tracing::ray_query) objects::require_ray_queries(s.device);
   s.animation = animation_of(s.scene, s.options.animation);
   const scene::Pose pose = s.scene.pose(0, s.animation);
   s.first_bounds = s.scene.bounds(pose);
@@ -62,6 +71,7 @@ void load(Renderer::State& s) {
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   s.lights = scene::resolve_lights(s.scene, s.options.lights, s.first_bounds, {view.eye, view.right, view.up});
   s.gpu_scene = scene::upload(s.device, s.scene);
+  s.plain = all_plain(s.scene);
   s.counters.emplace(s.device, s.options.bounces);
   s.notes.insert(s.notes.end(), s.lights.notes.begin(), s.lights.notes.end());
   s.notes.insert(s.notes.end(), s.gpu_scene.notes.begin(), s.gpu_scene.notes.end());
@@ -138,7 +148,7 @@ uint64_t least_memory(Renderer::State& s, const Frame& frame) {
 void finish(Renderer::State& s) {
   s.statistics.lights = s.gpu_scene.light_count;
   add(s.statistics, s.frame_statistics);
-  s.statistics.object_hierarchy = {s.objects.builds, s.objects.refits, s.objects.cost};
+  s.statistics.object_hierarchy = {s.objects.builds + s.device_objects.builds, s.objects.refits, s.objects.cost};
   s.statistics.frames.push_back(s.frame_statistics.frames.front());
   s.statistics.device_peak_bytes = std::max(s.statistics.device_peak_bytes, s.device.peak_bytes());
 }

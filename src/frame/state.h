@@ -12,7 +12,9 @@
 #include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "intersection/intersection.h"
+#include "intersection/ray_query.h"
 #include "intersection/single.h"
+#include "objects/device_hierarchy.h"
 #include "objects/hierarchy.h"
 #include "raster/raster.h"
 #include "rays/create.h"
@@ -62,6 +64,8 @@ struct Renderer::State {
   scene::LightRig lights;
   scene::GpuScene gpu_scene;
   objects::Hierarchy objects;             ///< where the algorithm wants one
+  objects::DeviceHierarchy device_objects;  ///< the device's own, where the algorithm wants that
+  bool plain = false;                     ///< every triangle blocks, from either side
   std::optional<Counters> counters;
   raster::GBuffer gbuffer;
   PathBuffers paths;

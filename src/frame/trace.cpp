@@ -73,6 +73,17 @@ void trace_single(Renderer::State& s, const rays::Batch& batch, uint32_t bounce)
                                    s.objects, segment, s.batch.single);
 }
 
+/// Step 6 by the device's own ray queries.
+void trace_queries(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  s.batch.hierarchy.depth = 0;
+  s.batch.order.chunks.clear();
+  begin_account(s, batch);
+  for (const rays::Segment& segment : batch.segments)
+    intersection::query(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
+                                     Counters::row(bounce, segment.kind), s.options.submit_work},
+                        s.device_objects, s.plain, segment);
+}
+
 /// Step 6 without any structure.
 void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   s.batch.hierarchy.depth = 0;
@@ -88,6 +99,7 @@ void walk(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
     case Tracing::nodes: return trace_hierarchy(s, batch, bounce);
     case Tracing::single_rays: return trace_single(s, batch, bounce);
     case Tracing::brute: return trace_brute(s, batch, bounce);
+    case Tracing::ray_query: return trace_queries(s, batch, bounce);
   }
 }
 
@@ -97,6 +109,8 @@ void place_objects(Renderer::State& s, const scene::Pose& pose) {
   scene::animate(s.recorder, s.gpu_scene, s.scene, pose, s.lights);
   if (s.options.algorithm.object_hierarchy)
     objects::update(s.recorder, {s.gpu_scene, pose.instances, s.options.submit_work}, s.objects);
+  if (s.options.algorithm.tracing == Tracing::ray_query)
+    objects::update(s.recorder, {s.gpu_scene, pose.instances, s.options.submit_work}, s.device_objects);
 }
 
 void trace(Renderer::State& s, uint32_t bounce, const RayNames& names) {

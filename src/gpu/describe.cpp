@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstring>
 
 #include "gpu/instance.h"
 
@@ -68,6 +69,24 @@ const char* missing_feature(VkPhysicalDevice physical) {
   return nullptr;
 }
 
+bool has_ray_queries(VkPhysicalDevice physical) {
+  uint32_t count = 0;
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> extensions(count);
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
+  for (const char* wanted : ray_query_extensions)
+    if (std::ranges::none_of(extensions, [&](const auto& e) { return std::strcmp(e.extensionName, wanted) == 0; }))
+      return false;
+  VkPhysicalDeviceRayQueryFeaturesKHR queries{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
+  VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
+  VkPhysicalDeviceVulkan12Features v12{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+  VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  structures.pNext = &queries, v12.pNext = &structures, features.pNext = &v12;
+  vkGetPhysicalDeviceFeatures2(physical, &features);
+  return v12.bufferDeviceAddress && structures.accelerationStructure && queries.rayQuery;
+}
+
 /// Why the device cannot be used, or an empty text. `core` alone is valid below Vulkan 1.3.
 std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& core) {
   if (core.apiVersion < VK_API_VERSION_1_3) return "it has Vulkan " + version_text(core.apiVersion) + ", 1.3 is needed";
@@ -109,6 +128,7 @@ DeviceInfo describe_device(VkPhysicalDevice physical, uint32_t index) {
   info.shuffles = all.v11.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
   info.software = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   info.unusable = missing(physical, core);
+  info.ray_queries = info.unusable.empty() && has_ray_queries(physical);
   return info;
 }
 

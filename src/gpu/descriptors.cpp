@@ -30,7 +30,9 @@ VkDescriptorImageInfo image_info(const Image& image, std::string_view name) {
 /// The descriptor writes of one set; they point into the two lists of infos.
 class Writes {
  public:
-  Writes(VkDescriptorSet set, size_t count) : set_(set) { buffers_.reserve(count), images_.reserve(count); }
+  Writes(VkDescriptorSet set, size_t count) : set_(set) {
+    buffers_.reserve(count), images_.reserve(count), structures_.reserve(count), handles_.reserve(count);
+  }
 
   void add(const VkDescriptorBufferInfo& info) {
     buffers_.push_back(info);
@@ -39,6 +41,15 @@ class Writes {
   void add(const VkDescriptorImageInfo& info) {
     images_.push_back(info);
     add(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE).pImageInfo = &images_.back();
+  }
+  void add(const AccelerationStructure& structure) {
+    handles_.push_back(structure.handle());
+    VkWriteDescriptorSetAccelerationStructureKHR info{
+        .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
+    info.accelerationStructureCount = 1;
+    info.pAccelerationStructures = &handles_.back();
+    structures_.push_back(info);
+    add(VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR).pNext = &structures_.back();
   }
   void update(VkDevice device) const {
     vkUpdateDescriptorSets(device, static_cast<uint32_t>(writes_.size()), writes_.data(), 0, nullptr);
@@ -57,6 +68,8 @@ class Writes {
   VkDescriptorSet set_;
   std::vector<VkDescriptorBufferInfo> buffers_;
   std::vector<VkDescriptorImageInfo> images_;
+  std::vector<VkWriteDescriptorSetAccelerationStructureKHR> structures_;
+  std::vector<VkAccelerationStructureKHR> handles_;
   std::vector<VkWriteDescriptorSet> writes_;
 };
 
@@ -75,13 +88,15 @@ VkDescriptorSet Descriptors::describe(VkDescriptorSetLayout layout, const Reflec
   Writes writes(set, arguments.size());
   size_t index = 0;
   for (const Argument& argument : arguments) {
-    const bool is_buffer = std::holds_alternative<Binding>(argument);
-    CRSH_ASSERT(is_buffer == (reflection.resources[index] == Resource::storage_buffer),
+    CRSH_ASSERT(static_cast<Resource>(argument.index()) == reflection.resources[index],
                 "argument " + std::to_string(index) + " of " + std::string(name) + " is of the wrong kind");
-    if (is_buffer)
-      writes.add(buffer_info(device_.limits(), std::get<Binding>(argument), name));
-    else
-      writes.add(image_info(*std::get<const Image*>(argument), name));
+    switch (reflection.resources[index]) {
+      case Resource::storage_buffer:
+        writes.add(buffer_info(device_.limits(), std::get<Binding>(argument), name));
+        break;
+      case Resource::storage_image: writes.add(image_info(*std::get<const Image*>(argument), name)); break;
+      case Resource::acceleration_structure: writes.add(*std::get<const AccelerationStructure*>(argument)); break;
+    }
     ++index;
   }
   writes.update(device_.handle());
@@ -107,11 +122,12 @@ VkDescriptorSet Descriptors::allocate(VkDescriptorSetLayout layout) {
 }
 
 void Descriptors::add_pool() {
-  const std::array<VkDescriptorPoolSize, 2> sizes = {{{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, sets_a_pool * buffers_a_set},
-                                                      {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, sets_a_pool * images_a_set}}};
+  const std::array<VkDescriptorPoolSize, 3> sizes = {{{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, sets_a_pool * buffers_a_set},
+                                                      {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, sets_a_pool * images_a_set},
+                                                      {VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, sets_a_pool}}};
   VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   info.maxSets = sets_a_pool;
-  info.poolSizeCount = static_cast<uint32_t>(sizes.size());
+  info.poolSizeCount = device_.info().ray_queries ? 3 : 2;
   info.pPoolSizes = sizes.data();
   VkDescriptorPool pool = VK_NULL_HANDLE;
   check(vkCreateDescriptorPool(device_.handle(), &info, nullptr, &pool), "making a descriptor pool");

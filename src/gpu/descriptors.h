@@ -8,14 +8,16 @@
 #include <variant>
 #include <vector>
 
+#include "gpu/acceleration.h"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "gpu/program.h"
 
 namespace crsh::gpu {
 
-/// Something a shader binds: a buffer, a part of one, or an image (as storage image, layout GENERAL).
-using Argument = std::variant<Binding, const Image*>;
+/// Something a shader binds: a buffer, a part of one, an image (as storage image, layout GENERAL), or the device's own
+/// hierarchy.
+using Argument = std::variant<Binding, const Image*, const AccelerationStructure*>;
 
 /// Ordinary sets from as many pools as a submit needs; reset() takes them all back.
 class Descriptors {

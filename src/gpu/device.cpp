@@ -38,6 +38,7 @@ Device::Device(const DeviceRequest& request) : Device() {
   const uint32_t index = select_device(infos, request.selector);
   physical_ = devices[index];
   info_ = infos[index];
+  info_.ray_queries = info_.ray_queries && !request.no_ray_queries;
   limits_ = device_limits(physical_);
   vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
   create_device();
@@ -67,11 +68,20 @@ void Device::create_device() {
   VkPhysicalDeviceVulkan12Features v12{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
   v12.pNext = &v13;
   v12.scalarBlockLayout = VK_TRUE;
+  VkPhysicalDeviceRayQueryFeaturesKHR queries{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
+  queries.rayQuery = VK_TRUE;
+  VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
+  structures.pNext = &queries;
+  structures.accelerationStructure = VK_TRUE;
+  if (info_.ray_queries) v12.bufferDeviceAddress = VK_TRUE, v13.pNext = &structures;
 
   VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
   info.pNext = &v12;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
+  info.enabledExtensionCount = info_.ray_queries ? uint32_t(ray_query_extensions.size()) : 0;
+  info.ppEnabledExtensionNames = ray_query_extensions.data();
   check(vkCreateDevice(physical_, &info, nullptr, &device_), "opening the device");
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
 }
@@ -123,6 +133,9 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements, bool h
   VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
   info.allocationSize = requirements.size;
   info.memoryTypeIndex = memory_type(requirements.memoryTypeBits, host_visible);
+  VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};
+  flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+  if (info_.ray_queries) info.pNext = &flags;
   const uint64_t before = peak_;
   if (!host_visible) account(requirements.size, memory_.memoryTypes[info.memoryTypeIndex].heapIndex, name);
   VkDeviceMemory memory = VK_NULL_HANDLE;

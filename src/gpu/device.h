@@ -26,6 +26,7 @@ struct DeviceInfo {
   uint32_t subgroup_size = 0;
   bool software = false;  ///< the device is a CPU
   bool shuffles = false;  ///< compute shaders may pass values between lanes
+  bool ray_queries = false;  ///< it has acceleration structures and ray queries of its own
   std::string unusable;   ///< why it cannot be used; empty when it can
 };
 
@@ -43,6 +44,7 @@ struct DeviceRequest {
   std::string selector;         ///< index, part of the name, or UUID; empty: a real GPU before a software device
   uint64_t memory_budget = 0;   ///< bytes that all buffers and images together may take; 0: no bound
   bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
+  bool no_ray_queries = false;  ///< as if the device had none (tests of what other devices do)
   bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
   uint64_t first_capacity = 0;  ///< growing buffers start with so many bytes (tests); 0: what is asked for
 };

@@ -3,6 +3,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <string>
@@ -30,6 +31,11 @@ class Instance {
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
   std::atomic<uint64_t> messages_ = 0;
 };
+
+/// What ray queries take.
+inline constexpr std::array<const char*, 3> ray_query_extensions = {VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
+                                                                    VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                                                    VK_KHR_RAY_QUERY_EXTENSION_NAME};
 
 /// What the device says of itself, with the reason why it cannot be used, if any.
 [[nodiscard]] DeviceInfo describe_device(VkPhysicalDevice physical, uint32_t index);

@@ -7,7 +7,12 @@ namespace crsh::gpu {
 namespace {
 
 VkDescriptorType descriptor_type(Resource resource) {
-  return resource == Resource::storage_buffer ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  switch (resource) {
+    case Resource::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case Resource::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case Resource::acceleration_structure: break;
+  }
+  return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
 }
 
 VkDescriptorSetLayout create_set_layout(Device& device, const Reflection& reflection, VkShaderStageFlags stages) {

@@ -35,7 +35,8 @@ struct Kernel {
 /// The default value of a shader's specialisation constant: what a variant declares of itself. Asserts that it has one.
 [[nodiscard]] uint32_t declared_constant(std::string_view file, uint32_t constant_id);
 
-enum class Resource { storage_buffer, storage_image };
+/// What a binding is, in the order of Argument's alternatives (gpu/descriptors.h).
+enum class Resource { storage_buffer, storage_image, acceleration_structure };
 
 /// What a module declares in set 0 and for itself; the small part of SPIR-V reflection that dispatches need.
 struct Reflection {

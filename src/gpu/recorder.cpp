@@ -89,6 +89,11 @@ void Recorder::dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, 
   work_ += work;
 }
 
+void Recorder::build(AccelerationStructure& structure, const Buffer& corners) {
+  begin();
+  structure.record(submission_.commands(), corners, [&] { submission_.barrier(); });
+}
+
 void Recorder::begin_rendering(const Attachments& attachments) {
   std::vector<VkRenderingAttachmentInfo> colours;
   for (const Image* image : attachments.colours) colours.push_back(attachment_info(*image, attachments.clear));

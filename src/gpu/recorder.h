@@ -55,6 +55,9 @@ class Recorder {
     dispatch_bytes(kernel, count, bytes_of(push), arguments, work);
   }
 
+  /// Builds the device's own hierarchy over `corners`, three vec4 a triangle.
+  void build(AccelerationStructure& structure, const Buffer& corners);
+
   /// Draws `count` vertices from vertex `first` on into the attachments.
   template <class Push>
   void draw(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count,

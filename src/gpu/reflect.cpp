@@ -67,6 +67,7 @@ size_t result_place(SpvOp op) {
     // clang-format off
     case SpvOpTypeInt: case SpvOpTypeFloat: case SpvOpTypeBool: case SpvOpTypeVector: case SpvOpTypeMatrix:
     case SpvOpTypeArray: case SpvOpTypeRuntimeArray: case SpvOpTypeStruct: case SpvOpTypePointer: case SpvOpTypeImage:
+    case SpvOpTypeAccelerationStructureKHR:
       return 0;
     case SpvOpConstant: case SpvOpSpecConstant: case SpvOpConstantComposite: case SpvOpSpecConstantComposite:
     case SpvOpVariable:
@@ -145,6 +146,7 @@ std::optional<Resource> resource_of(const Module& module, SpvStorageClass storag
   }
   if (storage != SpvStorageClassUniformConstant) return std::nullopt;
   const Definition& type = module.at(pointee);
+  if (type.op == SpvOpTypeAccelerationStructureKHR) return Resource::acceleration_structure;
   CRSH_ASSERT(type.op == SpvOpTypeImage && type.operands[6] == 2,
               "of images, only single storage images are supported");
   return Resource::storage_image;
@@ -159,7 +161,7 @@ void add_variable(const Module& module, uint32_t id, std::map<uint32_t, Resource
   if (!resource) return;
   CRSH_ASSERT(module.set.at(id) == 0, "only descriptor set 0 is supported");
   const auto [known, added] = resources.try_emplace(module.binding.at(id), *resource);
-  CRSH_ASSERT(known->second == *resource, "one binding is both a buffer and an image");
+  CRSH_ASSERT(known->second == *resource, "one binding is two kinds of resource");
 }
 
 void set_local_size(const Module& module, Reflection& reflection) {

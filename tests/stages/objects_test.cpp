@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -185,6 +185,30 @@ TEST_CASE("a tree that refitting has made loose is built anew") {
   CHECK(built.hierarchy.refits == 1);
   CHECK(built.hierarchy.cost < 2 * before);
   CHECK(same_bits(built.tree(), Built(built.objects).tree()));
+}
+
+TEST_CASE("a million triangles that all move are refitted, and built anew where that has made them loose" *
+          doctest::test_suite("full") * doctest::skip(!std::getenv("CRSH_TEST_FULL"))) {
+  std::vector<Object> objects;
+  const Triangles mesh = closed_mesh(3, glm::vec3(0), 0.4f);  // 1280
+  for (uint32_t i = 0; i < 800; ++i) {
+    objects.push_back({mesh});
+    objects.back().transform[3] = glm::vec4(float(i % 10), float(i / 10 % 10), float(i / 100), 1);
+  }
+  Built built(objects);
+  CHECK(built.hierarchy.triangle_count == 1'024'000);
+  CHECK(built.fault() == "");
+  for (Object& object : built.objects) object.transform[3].y += 0.02f * object.transform[3].x;
+  built.update();
+  CHECK(built.fault() == "");
+  CHECK(built.hierarchy.refits == 1);
+  CHECK(built.hierarchy.builds == 1);
+  Random random(9);
+  for (Object& object : built.objects) object.transform[3] = glm::vec4(random.point(5), 1);
+  built.update();
+  CHECK(built.fault() == "");
+  CHECK(built.hierarchy.refits == 2);
+  CHECK(built.hierarchy.builds == 2);
 }
 
 TEST_CASE("rays one by one meet what brute force does, and count what they test") {

@@ -50,7 +50,7 @@ TEST_CASE("the presets are those of the design") {
     CHECK(preset(name).preset == name);
     CHECK(preset(name).arity == 8);
   }
-  CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh"), UserError);
+  CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh, ray-query"), UserError);
 }
 
 TEST_CASE("the default algorithm is crsh") {

@@ -1,0 +1,53 @@
+#version 460
+// Rays by the device's own ray queries (VK_KHR_ray_query): the rival where there is one. What a hit is, is the device's
+// word here, so that pictures agree with the others' within a tolerance only. Lane: a ray.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_ray_query : require
+#extension GL_EXT_scalar_block_layout : require
+layout(local_size_x = 64) in;
+#include "lib/invocation.glsl"
+#include "shared/limits.h"
+#include "shared/ray.h"
+#include "shared/scene.h"
+
+layout(constant_id = 0) const bool plain = false;  // every triangle blocks, from either side: none is asked about
+
+layout(push_constant, scalar) uniform Push { uint first, end; };
+layout(binding = 0) uniform accelerationStructureEXT scene;
+layout(binding = 1, scalar) readonly buffer Rays { Ray rays[]; };
+layout(binding = 2, scalar) buffer Hits { uvec4 hits[]; };
+layout(binding = 3, scalar) readonly buffer CornersA { vec4 corner_a[]; };  // for the flags
+layout(binding = 4, scalar) readonly buffer Materials { Material materials[]; };
+
+const uint blocked = 0xFFFFFFFFu;
+
+/// Transmittances are added as in meet.glsl.
+uvec3 saturating_sum(uvec3 a, uvec3 b) {
+  uvec3 sum = a + b;
+  return mix(sum, uvec3(blocked), lessThan(sum, a));
+}
+
+void main() {
+  uint i = first + invocation_index();
+  if (i >= end) return;
+  Ray ray = rays[i];
+  uvec4 hit = hits[i];
+  bool shadow = uint(ray.direction.w) == kind_shadow;
+  uint flags = (plain ? gl_RayFlagsOpaqueEXT : 0u) | (shadow ? gl_RayFlagsTerminateOnFirstHitEXT : 0u);
+  rayQueryEXT query;
+  rayQueryInitializeEXT(query, scene, flags, 0xFFu, ray.origin.xyz, 0.0, ray.direction.xyz, ray.origin.w);
+  while (rayQueryProceedEXT(query)) {
+    uint triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
+    uint material = floatBitsToUint(corner_a[triangle].w);
+    bool tints = shadow && (material & triangle_transmissive) != 0u;
+    bool passes = !shadow && (material & triangle_cull_back) != 0u && !rayQueryGetIntersectionFrontFaceEXT(query, false);
+    if (tints) hit.xyz = saturating_sum(hit.xyz, materials[material & triangle_material_mask].tint.xyz);
+    if (!tints && !passes) rayQueryConfirmIntersectionEXT(query);
+  }
+  if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionTriangleEXT) {
+    uint triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
+    float t = rayQueryGetIntersectionTEXT(query, true);
+    hit = shadow ? uvec4(blocked, blocked, blocked, 0u) : uvec4(floatBitsToUint(t), triangle, 0u, 0u);
+  }
+  hits[i] = hit;
+}

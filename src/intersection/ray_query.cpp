@@ -1,0 +1,25 @@
+#include "intersection/ray_query.h"
+
+#include <algorithm>
+
+namespace crsh::intersection {
+
+void query(gpu::Recorder& recorder, const In& in, const objects::DeviceHierarchy& objects, bool plain,
+           const rays::Segment& segment) {
+  constexpr uint64_t usual_tests = 256;  // of a ray, for the account of a submit
+  if (segment.count == 0 || !objects.structure) return;
+  recorder.stage(gpu::Stage::final_intersection);
+  const uint32_t tile = uint32_t(std::clamp<uint64_t>(in.submit_work / usual_tests, 1, segment.count));
+  for (uint32_t done = 0; done < segment.count; done += tile) {
+    const uint32_t count = std::min(tile, segment.count - done);
+    const struct {
+      uint32_t first, end;
+    } push{segment.first + done, segment.first + done + count};
+    recorder.dispatch({"intersection/ray_query", {{0, plain}}}, count, push,
+                      {objects.structure.get(), in.batch.rays, in.hits, in.scene.corner_a, in.scene.materials},
+                      count * usual_tests);
+    recorder.submit_past(in.submit_work);
+  }
+}
+
+}  // namespace crsh::intersection

@@ -1,0 +1,44 @@
+#include "objects/device_hierarchy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "error.h"
+
+namespace crsh::objects {
+namespace {
+
+/// As many triangles as before, in every frame: the structure is made once.
+void make(gpu::Recorder& recorder, uint32_t triangles, DeviceHierarchy& h) {
+  gpu::Device& device = recorder.device();
+  const uint64_t bytes = 3 * uint64_t(triangles) * sizeof(glm::vec4);
+  if (bytes > device.limits().max_binding)
+    throw UserError(fmt::format("{} triangles are too many for --algorithm ray-query on {}: choose another --algorithm",
+                                triangles, device.info().name));
+  h.corners.reserve(device, bytes, "corners of the acceleration structure");
+  h.structure = std::make_unique<gpu::AccelerationStructure>(device, triangles);
+}
+
+}  // namespace
+
+void require_ray_queries(const gpu::Device& device) {
+  if (device.info().ray_queries) return;
+  throw UserError(fmt::format("{} has no ray queries (VK_KHR_ray_query): choose another --algorithm or --device",
+                              device.info().name));
+}
+
+void update(gpu::Recorder& recorder, const In& in, DeviceHierarchy& h) {
+  const uint32_t triangles = in.scene.triangle_count;
+  if (triangles == 0 || (h.builds > 0 && std::ranges::equal(h.pose, in.pose))) return;
+  recorder.stage(gpu::Stage::object_hierarchy);
+  if (!h.structure) make(recorder, triangles, h);
+  recorder.dispatch("objects/soup", triangles, triangles,
+                    {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, h.corners}, triangles);
+  recorder.build(*h.structure, h.corners);
+  recorder.submit();
+  h.pose.assign(in.pose.begin(), in.pose.end());
+  ++h.builds;
+}
+
+}  // namespace crsh::objects
