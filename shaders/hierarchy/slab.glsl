@@ -78,8 +78,8 @@ bool slab_passes(Slab node, vec3 low, vec3 high) {
 
 /// Whether a ray of the node can be within low .. high: the slab test in interval arithmetic, conservative for every
 /// ray's own. Along an axis rays come in between (low - origin) / direction at the quickest and leave at the slowest;
-/// where some go forward and some backward, or stay, they need not leave at all.
-bool bound_may_hit_box(Slab node, Interval interval, vec3 low, vec3 high, bool use_interval) {
+/// where some go forward and some backward, or stay, they need not leave at all. No ray comes in before `enter`.
+bool bound_may_hit_box(Slab node, Interval interval, vec3 low, vec3 high, bool use_interval, out float enter) {
   vec3 inverse_low = safe_inverse(node.direction_low.xyz), inverse_high = safe_inverse(node.direction_high.xyz);
   bvec3 forward = greaterThanEqual(node.direction_high.xyz, vec3(0.0));
   bvec3 backward = lessThan(node.direction_low.xyz, vec3(0.0));
@@ -90,7 +90,7 @@ bool bound_may_hit_box(Slab node, Interval interval, vec3 low, vec3 high, bool u
   vec3 enter3 = max(mix(vec3(0.0), quickest, greaterThan(ahead, vec3(0.0))),
                     mix(vec3(0.0), slowest, lessThan(behind, vec3(0.0))));
   vec3 leave3 = mix(slowest, mix(quickest, vec3(slab_wide), forward), backward);
-  float enter = max(max(enter3.x, enter3.y), enter3.z);
+  enter = max(max(enter3.x, enter3.y), enter3.z);
   float leave = min(min(leave3.x, leave3.y), leave3.z);
   precise float last = (use_interval ? min(leave, interval.far_end) : leave) * slab_slack;
   bvec3 towards = bvec3(forward.x || ahead.x <= 0.0, forward.y || ahead.y <= 0.0, forward.z || ahead.z <= 0.0);
@@ -104,7 +104,8 @@ bool bound_may_hit_sphere(Slab node, Interval interval, vec4 sphere, bool use_in
   precise vec3 pad = vec3(bound_pad * (largest(sphere.xyz) + sphere.w));
   precise vec3 padded_low = low - pad;
   precise vec3 padded_high = high + pad;
-  return bound_may_hit_box(node, interval, padded_low, padded_high, use_interval);
+  float enter;
+  return bound_may_hit_box(node, interval, padded_low, padded_high, use_interval, enter);
 }
 
 /// The triangle's own padded box; its padding by the origins stands in the node.
@@ -112,5 +113,6 @@ bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3
   precise vec3 pad = vec3(slab_pad * max(max(largest(a), largest(b)), largest(c)));
   precise vec3 low = min(min(a, b), c) - pad;
   precise vec3 high = max(max(a, b), c) + pad;
-  return bound_may_hit_box(node, interval, low, high, use_interval);
+  float enter;
+  return bound_may_hit_box(node, interval, low, high, use_interval, enter);
 }

@@ -155,9 +155,13 @@ bool bound_may_hit_sphere(Node node, Interval interval, vec4 sphere, bool use_in
   return !(outside || behind || beyond);
 }
 
-/// The sphere around the box.
-bool bound_may_hit_box(Node node, Interval interval, vec3 low, vec3 high, bool use_interval) {
+/// The sphere around the box; no ray comes into it before `enter` (metres).
+bool bound_may_hit_box(Node node, Interval interval, vec3 low, vec3 high, bool use_interval, out float enter) {
   precise vec3 centre = 0.5 * (low + high);
   precise float radius = max(chord(high, centre), chord(low, centre)) * bound_slack + bound_pad * largest(centre);
+  float apart = chord(centre, node.sphere.xyz);
+  precise float reach = (node.sphere.w + radius) * bound_slack;
+  precise float nearest = apart - reach - 2.0 * bound_pad * (apart + reach);
+  enter = max(nearest, 0.0);
   return bound_may_hit_sphere(node, interval, vec4(centre, radius), use_interval);
 }
