@@ -37,6 +37,7 @@ struct Positional {
   std::string name;  ///< "SCENE"
   bool required = true;
   std::function<void(const std::string&)> set;
+  bool repeats = false;  ///< one or more of them
 };
 
 struct Command {
@@ -51,6 +52,7 @@ struct Command {
 [[nodiscard]] std::vector<Command> commands();
 // One file each.
 [[nodiscard]] Command render_command();
+[[nodiscard]] Command bench_command();
 [[nodiscard]] Command diff_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command completion_command();

@@ -4,6 +4,8 @@
 
 namespace crsh::cli {
 
-std::vector<Command> commands() { return {render_command(), diff_command(), info_command(), completion_command()}; }
+std::vector<Command> commands() {
+  return {render_command(), bench_command(), diff_command(), info_command(), completion_command()};
+}
 
 }  // namespace crsh::cli

@@ -59,7 +59,8 @@ std::string default_of(const Option& option) {
 std::string usage_of(const Command& command) {
   std::string usage = fmt::format("Usage: crsh {}", command.name);
   for (const Positional& positional : command.positionals)
-    usage += positional.required ? fmt::format(" {}", positional.name) : fmt::format(" [{}]", positional.name);
+    usage += fmt::format(fmt::runtime(positional.required ? " {}{}" : " [{}{}]"), positional.name,
+                         positional.repeats ? "..." : "");
   return usage + (command.groups.empty() ? "" : " [OPTION...]");
 }
 

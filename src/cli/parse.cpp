@@ -1,9 +1,10 @@
 // Parsing by CLI11; what a value means is the table's.
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include "cli/command.h"
 #include "error.h"
@@ -26,6 +27,11 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
   CLI::Option* declared = option.value.empty() ? app.add_flag(option.names) : app.add_option(option.names);
   if (!option.value.empty()) declared->allow_extra_args(false);
   return declared->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::Option* declare(CLI::App& app, const Positional& positional) {
+  CLI::Option* declared = app.add_option(positional.name);
+  return positional.repeats ? declared->expected(1, std::numeric_limits<int>::max() / 2)->allow_extra_args() : declared;
 }
 
 void set(const Option& option, const std::string& value) {
@@ -76,14 +82,14 @@ bool parse(const Command& command, const std::vector<std::string>& arguments) {
   for (const OptionGroup& group : command.groups)
     for (const Option& option : group.options) options.push_back({&option, declare(app, option)});
   for (const Positional& positional : command.positionals)
-    positionals.push_back({&positional, app.add_option(positional.name)});
+    positionals.push_back({&positional, declare(app, positional)});
 
   collect(app, command, arguments);
   if (help->count()) return false;
   refuse_unknown(command, app.remaining());
   for (const auto& [positional, found] : positionals) {
     if (positional->required && !found->count()) misuse(command, positional->name + " is missing");
-    if (found->count()) positional->set(found->results().front());
+    for (const std::string& value : found->results()) positional->set(value);
   }
   for (const auto& option : options) set_all(option);
   return true;

@@ -33,7 +33,7 @@ TEST_CASE("help is data, in lines of 80 characters, and names every subcommand")
   const test::Outcome general = crsh({"help"});
   CHECK(general.status == 0);
   CHECK(crsh({"--help"}).out == general.out);
-  for (const char* command : {"render", "diff", "info"}) {
+  for (const char* command : {"render", "bench", "diff", "info"}) {
     CHECK(general.out.find(command) != std::string::npos);
     const test::Outcome outcome = crsh({"help", command});
     CHECK(outcome.status == 0);
@@ -53,8 +53,8 @@ TEST_CASE("test-only options are not in the help") {
 
 TEST_CASE("wrong usage of crsh itself") {
   check_misuse({}, "a command is missing");
-  check_misuse({"bench"}, "bench: no such command");
-  check_misuse({"help", "bench"}, "bench: no such command");
+  check_misuse({"bend"}, "bend: no such command");
+  check_misuse({"help", "bend"}, "bend: no such command");
   check_misuse({"help", "render", "diff"}, "one command at a time");
 }
 

@@ -1,0 +1,169 @@
+#include "bench/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "bench/counters.h"
+#include "error.h"
+#include "frame/renderer.h"
+#include "output/exposure.h"
+#include "output/heat_map.h"
+#include "output/png.h"
+
+namespace crsh::bench {
+namespace {
+
+/// Frames done of all frames to do.
+class Work {
+ public:
+  Work(const Progress& progress, size_t frames) : progress_(progress), frames_(std::max<size_t>(frames, 1)) {}
+  void show(double share) const { progress_ ? progress_((double(done_) + share) / double(frames_)) : void(); }
+  void next() { ++done_, show(0); }
+
+ private:
+  const Progress& progress_;
+  size_t frames_, done_ = 0;
+};
+
+/// Renders a frame and returns what it alone counted.
+Statistics frame_of(Renderer& renderer, const Variant& variant, Work& work, Picture& picture) {
+  const Statistics before = renderer.statistics();
+  picture = renderer.render(variant.seconds, [&](double share) { work.show(share); });
+  work.next();
+  return difference(renderer.statistics(), before);
+}
+
+void take_picture(gpu::Device& device, const scene::Scene& scene, const Schedule& schedule, Result& result,
+                  Work& work) {
+  RenderOptions options = result.variant.options;
+  options.layers = {LayerId::beauty, LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests};
+  Renderer renderer(device, scene, options);
+  Picture picture;
+  (void)frame_of(renderer, result.variant, work, picture);
+  const Layer& beauty = *picture.find("");
+  const double stops = schedule.exposure ? double(*schedule.exposure) : output::automatic_exposure(beauty);
+  result.picture_png = output::encode_png(beauty, picture.width, picture.height, stops);
+  result.heat = output::tests_of(picture);
+}
+
+/// The first frame, alone on the device: its counters and its memory, and what was effective.
+void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& work) {
+  RenderOptions options = result.variant.options;
+  options.layers = {};
+  device.forget_peak();
+  Renderer renderer(device, scene, options);
+  Picture picture;
+  result.counters = frame_of(renderer, result.variant, work, picture);
+  result.variant.options = renderer.options();
+  result.counters.frames.clear();
+  result.counters.device_peak_bytes = device.peak_bytes();
+  result.world_to_camera = picture.world_to_camera;
+  result.world_to_ndc = picture.world_to_ndc;
+  result.width = picture.width;
+  result.height = picture.height;
+}
+
+bool is_brute(const Variant& variant) { return variant.options.algorithm.tracing == Tracing::brute; }
+
+/// A quick way to learn how many rays a brute force variant has: the last preset of the list.
+Result count_rays(gpu::Device& device, const scene::Scene& scene, Variant variant, Work& work) {
+  variant.options.algorithm = preset(preset_names().back());
+  Result result{.variant = std::move(variant)};
+  look(device, scene, result, work);
+  return result;
+}
+
+/// The rays of `from`, each against every triangle.
+void count_brute_force(const Result& from, Result& result) {
+  const RenderOptions options = result.variant.options;
+  const Variant variant = std::move(result.variant);
+  result = from;
+  result.variant = variant;
+  result.variant.options = from.variant.options;
+  result.variant.options.algorithm = options.algorithm;
+  result.counted_from = from.variant.options.algorithm.preset;
+  result.counters = as_brute_force(from.counters);
+  result.heat.clear();
+}
+
+class Measurement {
+ public:
+  Measurement(gpu::Device& device, const scene::Scene& scene, const std::vector<Variant>& variants,
+              const Schedule& schedule, const Progress& progress)
+      : device_(device), scene_(scene), schedule_(schedule), work_(progress, frames(variants, schedule)) {
+    for (const Variant& variant : variants) results_.push_back({.variant = variant});
+  }
+
+  std::vector<Result> run() {
+    for (Result& result : results_)
+      if (!is_brute(result.variant)) look_and_take(result);
+    for (Result& result : results_)
+      if (is_brute(result.variant)) look_at_brute_force(result);
+    repeat();
+    return std::move(results_);
+  }
+
+ private:
+  static size_t frames(const std::vector<Variant>& variants, const Schedule& schedule) {
+    return variants.size() * (1 + schedule.warmup + schedule.repeat + (schedule.pictures ? 1 : 0));
+  }
+
+  void look_and_take(Result& result) {
+    look(device_, scene_, result, work_);
+    if (schedule_.pictures) take_picture(device_, scene_, schedule_, result, work_);
+  }
+
+  void look_at_brute_force(Result& result) {
+    const auto same = [&](const Result& other) {
+      return !is_brute(other.variant) && other.variant.rays == result.variant.rays;
+    };
+    const auto found = std::ranges::find_if(results_, same);
+    const Result from = found != results_.end() ? *found : count_rays(device_, scene_, result.variant, work_);
+    const uint64_t frames = 1 + schedule_.warmup + schedule_.repeat + (schedule_.pictures ? 1 : 0);
+    if (brute_force_tests(from.counters) > most_brute_force_tests / frames) return count_brute_force(from, result);
+    look_and_take(result);
+  }
+
+  /// A, B, C, A, B, C, ...: a round is a frame of each.
+  void repeat() {
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    for (const Result& result : results_) {
+      RenderOptions options = result.variant.options;
+      options.layers = {};
+      renderers.push_back(result.counted_from.empty() ? std::make_unique<Renderer>(device_, scene_, options) : nullptr);
+    }
+    uint32_t place = 0;
+    for (uint32_t round = 0; round < schedule_.warmup + schedule_.repeat; ++round)
+      for (size_t i = 0; i < results_.size(); ++i)
+        if (renderers[i]) time(*renderers[i], results_[i], round >= schedule_.warmup, place);
+        else work_.next();
+  }
+
+  void time(Renderer& renderer, Result& result, bool counted, uint32_t& place) {
+    Picture picture;
+    const Statistics frame = frame_of(renderer, result.variant, work_, picture);
+    if (const std::string what = first_difference(frame, result.counters); !what.empty())
+      throw std::logic_error(
+          fmt::format("{}: two frames of one scene counted differently: {}", result.variant.label, what));
+    if (!counted) return;
+    result.counters.frames.push_back(frame.frames.back());
+    result.places.push_back(place++);
+  }
+
+  gpu::Device& device_;
+  const scene::Scene& scene_;
+  const Schedule& schedule_;
+  Work work_;
+  std::vector<Result> results_;
+};
+
+}  // namespace
+
+std::vector<Result> measure(gpu::Device& device, const scene::Scene& scene, const std::vector<Variant>& variants,
+                            const Schedule& schedule, const Progress& progress) {
+  return Measurement(device, scene, variants, schedule, progress).run();
+}
+
+}  // namespace crsh::bench

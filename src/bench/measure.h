@@ -1,0 +1,55 @@
+#pragma once
+// Renders the same picture in several ways, in turn, so that whatever slows the machine down slows all of them.
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/options.h"
+#include "frame/statistics.h"
+#include "gpu/device.h"
+#include "scene/scene.h"
+
+namespace crsh::bench {
+
+/// One way to render a scene.
+struct Variant {
+  std::string label;                                               ///< "crsh", "crsh arity=4"
+  nlohmann::ordered_json vary = nlohmann::ordered_json::object();  ///< what differs from the preset: {"arity": "4"}
+  std::string rays;                                                ///< variants with the same text cast the same rays
+  RenderOptions options;
+  double seconds = 0;  ///< of the scene's animation
+};
+
+/// What a variant took. The counters are those of one frame: all frames have the same.
+struct Result {
+  Variant variant;               ///< with the effective options
+  Statistics counters;           ///< of one frame; `frames` are the timed ones, without warm-up
+  std::vector<uint32_t> places;  ///< of each timed frame in the sequence of all variants' timed frames
+  std::string counted_from;      ///< not empty: not traced; the rays are those that this preset cast
+  glm::mat4 world_to_camera{1}, world_to_ndc{1};
+  uint32_t width = 0, height = 0;
+  std::string picture_png;  ///< where pictures were asked for
+  std::vector<float> heat;  ///< tests a pixel, where pictures were asked for and rays were traced
+};
+
+struct Schedule {
+  uint32_t warmup = 3, repeat = 58;      ///< frames a variant
+  bool pictures = false;                 ///< one more frame each, with its picture and tests a pixel
+  std::optional<float> exposure = 0.0f;  ///< of the picture, in stops; none: automatic
+};
+
+/// Brute force is not traced where all its frames together have more tests than this.
+inline constexpr uint64_t most_brute_force_tests = 10'000'000'000;
+
+/// Called with 0..1 of all the work.
+using Progress = std::function<void(double)>;
+
+/// Results in the order of `variants`. Asserts that every repeat counts the same. Throws what rendering throws.
+[[nodiscard]] std::vector<Result> measure(gpu::Device& device, const scene::Scene& scene,
+                                          const std::vector<Variant>& variants, const Schedule& schedule,
+                                          const Progress& progress);
+
+}  // namespace crsh::bench

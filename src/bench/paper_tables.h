@@ -1,0 +1,50 @@
+#pragma once
+// The paper's Tables 1, 2 and 3, with its row names, of what was measured here.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/measure.h"
+#include "bench/table.h"
+#include "rays/kinds.h"
+
+namespace crsh::bench {
+
+/// All variants on one scene. Every scene of a run has the same variants, by their labels.
+struct SceneResults {
+  std::string name;  ///< "sponza"
+  std::string path;  ///< as given
+  std::vector<Result> results;
+};
+
+/// Which rays the tables count, a kind at a bounce or at all of them.
+struct CountedRays {
+  size_t kind = 0;
+  std::optional<uint32_t> bounce;
+};
+/// None in the list: all rays.
+using RayFilter = std::vector<CountedRays>;
+[[nodiscard]] bool is_counted(const RayStatistics& rays, const RayFilter& filter);
+
+/// "RAH Algorithm", "Our Algorithm (crsh arity=4)": the paper's name for a variant.
+[[nodiscard]] std::string row_name(const Result& result);
+
+/// Tests of one frame, the paper's count and everything, in per cent of brute force.
+[[nodiscard]] Table table_1(const std::vector<SceneResults>& scenes, const RayFilter& filter);
+/// Tests, misses and hits of each kind of rays a level.
+[[nodiscard]] Table table_2(const SceneResults& scene, const RayFilter& filter);
+/// Median milliseconds a stage, and how many times faster than the reference the two costly ones are.
+[[nodiscard]] Table table_3(const std::vector<SceneResults>& scenes);
+
+/// Median milliseconds of a stage, or of the whole frame.
+[[nodiscard]] double stage_median(const Result& result, gpu::Stage stage);
+[[nodiscard]] double frame_median(const Result& result);
+
+/// Sums over the counted rays.
+struct Sums {
+  uint64_t rays = 0, brute_force = 0, paper = 0, total = 0;
+};
+[[nodiscard]] Sums sums_of(const Result& result, const RayFilter& filter);
+
+}  // namespace crsh::bench

@@ -1,0 +1,268 @@
+#include "cli/bench_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "cli/rows.h"
+#include "error.h"
+#include "output/whole_file.h"
+
+namespace crsh::cli {
+namespace {
+
+/// Options of `crsh render` that say where a picture goes, or what the bench has its own options for.
+bool is_render_only(const Option& option) {
+  static const std::vector<std::string> keys = {"output", "layers", "stats",     "dump-rays", "replay-rays",
+                                                "frames", "fps",    "algorithm", "verbose"};
+  return std::ranges::find(keys, option.key()) != keys.end();
+}
+
+/// A row that also remembers what it was given, so that it can be given to each variant.
+Option remembered(Option option, std::vector<Given>& given) {
+  const auto set = option.set;
+  const std::string key = option.key();
+  option.set = [set, key, &given](const std::string& value) {
+    set(value);
+    given.push_back({key, value});
+  };
+  return option;
+}
+
+std::vector<OptionGroup> render_groups(RenderCommand& render, std::vector<Given>& given) {
+  std::vector<OptionGroup> groups;
+  for (OptionGroup& group : render_options(render)) {
+    OptionGroup kept{group.title, {}};
+    for (Option& option : group.options)
+      if (!is_render_only(option)) kept.options.push_back(remembered(std::move(option), given));
+    if (!kept.options.empty()) groups.push_back(std::move(kept));
+  }
+  return groups;
+}
+
+/// What may follow a scene's path between quotes: not what the whole run shares.
+std::vector<OptionGroup> scene_groups(RenderCommand& render, std::vector<Given>& given) {
+  std::vector<OptionGroup> groups = render_groups(render, given);
+  std::erase_if(groups, [](const OptionGroup& group) {
+    return group.title != "Picture" && group.title != "Scene and view" && group.title != "Time";
+  });
+  return groups;
+}
+
+std::vector<std::string> algorithm_words() {
+  std::vector<std::string> words = preset_names();
+  words.emplace_back(ray_query_preset);
+  return words;
+}
+
+Option algorithms_row(std::vector<std::string>& algorithms) {
+  return {.names = "--algorithms",
+          .value = "LIST",
+          .help = "Presets to compare, with commas between.",
+          .set =
+              [&algorithms](const std::string& text) {
+                std::vector<std::string> names = split(text, ',');
+                for (size_t i = 0; i < names.size(); ++i) {
+                  (void)preset(names[i]);
+                  if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+                      names.begin() + static_cast<std::ptrdiff_t>(i))
+                    refuse(fmt::format("{} stands twice", names[i]));
+                }
+                algorithms = std::move(names);
+              },
+          .initial = fmt::format("{}", fmt::join(algorithms, ",")),
+          .words = algorithm_words()};
+}
+
+/// The row of this name, of a table that variants can be given.
+const Option* find_row(const std::vector<OptionGroup>& groups, const std::string& key) {
+  for (const OptionGroup& group : groups)
+    for (const Option& option : group.options)
+      if (option.key() == key) return &option;
+  return nullptr;
+}
+
+/// OPTION=V1,V2; semicolons where values have commas.
+Vary parse_vary(const std::string& text) {
+  const std::string body = text.substr(std::min(text.find_first_not_of('-'), text.size()));
+  const size_t equals = body.find('=');
+  if (equals == std::string::npos || equals + 1 == body.size())
+    refuse("OPTION=VALUE,VALUE is allowed, as in arity=4,8 (semicolons between values that have commas)");
+  const std::string values = body.substr(equals + 1);
+  Vary vary{body.substr(0, equals), split(values, values.find(';') == std::string::npos ? ',' : ';')};
+  RenderCommand scratch;
+  std::vector<Given> given;
+  const auto groups = render_groups(scratch, given);
+  const Option* row = find_row(groups, vary.key);
+  if (!row || row->hidden) refuse(fmt::format("{}: no option that can be varied", vary.key));
+  for (const std::string& value : vary.values) row->set(value);
+  return vary;
+}
+
+Option vary_row(std::vector<Vary>& vary) {
+  return {.names = "--vary",
+          .value = "OPTION=V1,V2",
+          .help = "Run every algorithm with each of these values. Repeats: every combination is run.",
+          .set = [&vary](const std::string& text) { vary.push_back(parse_vary(text)); },
+          .repeats = true};
+}
+
+/// KIND[:BOUNCE]
+bench::CountedRays parse_counted(const std::string& text) {
+  std::vector<std::string> names;
+  for (const RayKind& kind : ray_kinds) names.emplace_back(kind.name);
+  const std::vector<std::string> parts = split(text, ':');
+  bench::CountedRays counted{parse_choice(parts[0], names), {}};
+  if (parts.size() > 2) refuse("KIND or KIND:BOUNCE is allowed, as in shadow:0,reflection");
+  if (parts.size() == 2) counted.bounce = static_cast<uint32_t>(parse_integer(parts[1], 0, 64));
+  return counted;
+}
+
+Option count_row(bench::RayFilter& filter) {
+  return {.names = "--count",
+          .value = "KIND[:BOUNCE],...",
+          .help = "The rays that Tables 1 and 2 count, as in shadow:0,reflection.",
+          .set =
+              [&filter](const std::string& text) {
+                filter.clear();
+                for (const std::string& part : split(text, ',')) filter.push_back(parse_counted(part));
+              },
+          .initial = "all"};
+}
+
+OptionGroup own_options(BenchCommand& command) {
+  return {
+      "Bench",
+      {algorithms_row(command.algorithms), vary_row(command.vary),
+       integer("--repeat", "N", "Timed frames of each, in turn with the others.", command.schedule.repeat, 1, 100000),
+       integer("--warmup", "N", "Frames of each that are rendered first and not timed.", command.schedule.warmup, 0,
+               100000),
+       count_row(command.count),
+       text("--json", "FILE|-", "Write every run's statistics (schema crsh-bench/1).", command.json),
+       text("--csv", "FILE|-", "Write counters of a frame and median times as a table.", command.csv)}};
+}
+
+/// Sets the rows that are given, in the order of the table, as the command line does.
+void give_all(const std::vector<Given>& given, RenderCommand& render) {
+  for (const OptionGroup& group : render_options(render))
+    for (const Option& option : group.options)
+      for (const Given& one : given)
+        if (one.key == option.key()) option.set(one.value);
+}
+
+bool is_switch(const std::string& key) {
+  AlgorithmOptions scratch;
+  const OptionGroup group = algorithm_options(scratch);
+  return std::ranges::any_of(group.options, [&](const Option& option) { return option.key() == key; });
+}
+
+/// One value of each --vary.
+using Picks = std::vector<Given>;
+
+std::vector<Picks> combinations(const std::vector<Vary>& vary) {
+  std::vector<Picks> all = {{}};
+  for (const Vary& one : vary) {
+    std::vector<Picks> longer;
+    for (const Picks& picks : all)
+      for (const std::string& value : one.values) {
+        longer.push_back(picks);
+        longer.back().push_back({one.key, value});
+      }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// To presets without nodes no switch matters: they run once for all values of one.
+void drop_idle_switches(const std::string& algorithm, Picks& picks) {
+  const Tracing tracing = preset(algorithm).tracing;
+  if (tracing == Tracing::brute || tracing == Tracing::single_rays || tracing == Tracing::ray_query)
+    std::erase_if(picks, [](const Given& pick) { return is_switch(pick.key); });
+}
+
+bench::Variant variant_of(const BenchCommand& command, const BenchScene& scene, const std::string& algorithm,
+                          const Picks& picks) {
+  bench::Variant variant{.label = algorithm};
+  std::vector<Given> given = {{"algorithm", algorithm}};
+  for (const auto* list : {&scene.given, &command.given, &picks}) given.insert(given.end(), list->begin(), list->end());
+  RenderCommand render;
+  give_all(given, render);
+  for (const Given& pick : picks) {
+    variant.label += fmt::format(" {}={}", pick.key, pick.value);
+    variant.vary[pick.key] = pick.value;
+    if (!is_switch(pick.key)) variant.rays += fmt::format("{}={};", pick.key, pick.value);
+  }
+  variant.options = render.options;
+  variant.seconds = frame_tasks(render).front().seconds;
+  return variant;
+}
+
+[[noreturn]] void misuse(const std::string& message) { throw UserError(message, Exit::usage); }
+
+}  // namespace
+
+std::vector<OptionGroup> bench_options(BenchCommand& command) {
+  command.algorithms = preset_names();
+  std::vector<OptionGroup> groups = render_groups(command.common, command.given);
+  groups.insert(groups.begin(), own_options(command));
+  return groups;
+}
+
+BenchScene parse_scene(const std::string& text) {
+  const size_t dashes = text.find(" --");
+  if (dashes == std::string::npos || std::filesystem::exists(text)) return {text, {}};
+  BenchScene scene{text.substr(0, text.find_last_not_of(' ', dashes) + 1), {}};
+  std::istringstream stream(text.substr(dashes));
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  RenderCommand scratch;
+  try {
+    const Command own{.name = "bench",
+                      .summary = "",
+                      .positionals = {},
+                      .groups = scene_groups(scratch, scene.given),
+                      .epilogue = "",
+                      .run = {}};
+    if (!parse(own, words)) misuse("--help is no option of a scene");
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("'{}': {}", text, error.what()), error.status());
+  }
+  return scene;
+}
+
+std::vector<bench::Variant> variants_of(const BenchCommand& command, const BenchScene& scene) {
+  std::vector<bench::Variant> variants;
+  for (const std::string& algorithm : command.algorithms)
+    for (Picks picks : combinations(command.vary)) {
+      drop_idle_switches(algorithm, picks);
+      bench::Variant variant = variant_of(command, scene, algorithm, picks);
+      const auto same = [&](const bench::Variant& other) { return other.label == variant.label; };
+      if (std::ranges::none_of(variants, same)) variants.push_back(std::move(variant));
+    }
+  return variants;
+}
+
+nlohmann::ordered_json effective_options(const BenchCommand& command, const bench::Variant& variant) {
+  RenderCommand render = command.common;
+  render.options = variant.options;
+  render.seconds = static_cast<float>(variant.seconds);
+  return effective_options(render_options(render));
+}
+
+void check_bench(const BenchCommand& command) {
+  std::vector<std::string> paths;
+  for (const std::string* path : {&command.json, &command.csv}) {
+    if (path->empty()) continue;
+    const std::string normal = std::filesystem::path(*path).lexically_normal();
+    if (std::ranges::find(paths, normal) != paths.end())
+      misuse(*path == "-" ? "two outputs on standard output: give one of them a file"
+                          : *path + ": two outputs into one file");
+    paths.push_back(normal);
+    if (*path != "-") output::check_writable(*path);
+  }
+}
+
+}  // namespace crsh::cli

@@ -1,0 +1,58 @@
+#pragma once
+// What the command line of `crsh bench` says.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/paper_tables.h"
+#include "cli/command.h"
+#include "cli/render_options.h"
+
+namespace crsh::cli {
+
+/// An option of `crsh render` with the value that was given for it.
+struct Given {
+  std::string key, value;
+};
+
+/// --vary OPTION=V1,V2
+struct Vary {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+/// SCENE, with options of its own behind its path.
+struct BenchScene {
+  std::string path;
+  std::vector<Given> given;
+};
+
+struct BenchCommand {
+  std::vector<BenchScene> scenes;
+  std::vector<std::string> algorithms;
+  std::vector<Vary> vary;
+  std::vector<Given> given;  ///< for every scene
+  RenderCommand common;      ///< what they say: device, time, progress
+  bench::Schedule schedule;
+  bench::RayFilter count;
+  std::string json, csv;  ///< paths, "-" or empty
+};
+
+/// All tables, bound to `command`.
+[[nodiscard]] std::vector<OptionGroup> bench_options(BenchCommand& command);
+
+/// SCENE as it stands on the command line: a path, or a path and options between quotes. Throws UserError (wrong usage).
+[[nodiscard]] BenchScene parse_scene(const std::string& text);
+
+/// A scene's variants: every algorithm with every combination of --vary.
+[[nodiscard]] std::vector<bench::Variant> variants_of(const BenchCommand& command, const BenchScene& scene);
+
+/// Every effective option of the variant, by its name.
+[[nodiscard]] nlohmann::ordered_json effective_options(const BenchCommand& command, const bench::Variant& variant);
+
+/// Throws UserError where options do not go together or an output could not be written.
+void check_bench(const BenchCommand& command);
+
+}  // namespace crsh::cli

@@ -1,0 +1,210 @@
+// crsh bench, end to end: what it measures, in which form it says so, and what it refuses.
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "frame/options.h"
+#include "output/whole_file.h"
+#include "support/program.h"
+#include "support/temporary_folder.h"
+
+namespace crsh {
+namespace {
+
+using nlohmann::json;
+
+const std::string glass = CRSH_SOURCE_DIR "/scenes/glass.glb";
+const std::string cornell = CRSH_SOURCE_DIR "/scenes/cornell.glb";
+
+test::Outcome bench(std::vector<std::string> options) {
+  options.insert(options.begin(), {"bench", "-q", "--size", "12x10", "--bounces", "1"});
+  return test::crsh(options);
+}
+
+json bench_json(std::vector<std::string> options) {
+  options.insert(options.end(), {"--json", "-"});
+  const test::Outcome outcome = bench(options);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  return json::parse(outcome.out);
+}
+
+std::vector<std::string> labels_of(const json& result) {
+  std::vector<std::string> labels;
+  for (const json& run : result["runs"]) labels.push_back(run["bench"]["label"]);
+  return labels;
+}
+
+uint64_t sum(const json& run, const char* counter) {
+  uint64_t total = 0;
+  for (const json& rays : run["rays"]) total += rays[counter].get<uint64_t>();
+  return total;
+}
+
+TEST_CASE("every preset is measured unless some are named, and all trace the same rays to the same hits") {
+  const json result = bench_json({glass, "--repeat", "1", "--warmup", "0"});
+  CHECK(result["schema"] == "crsh-bench/1");
+  CHECK(labels_of(result) == preset_names());
+  const json& first = result["runs"][0];
+  for (const json& run : result["runs"]) {
+    CHECK(run["schema"] == "crsh-stats/1");
+    CHECK(run["options"]["size"] == "12x10");
+    CHECK(run["options"]["algorithm"] == run["algorithm"]);
+    for (size_t row = 0; row < run["rays"].size(); ++row)
+      CHECK(run["rays"][row]["hits_digest"] == first["rays"][row]["hits_digest"]);
+  }
+}
+
+TEST_CASE("a run's counters are those of crsh render --stats, summed over its frames") {
+  const json result = bench_json({glass, "--repeat", "3", "--warmup", "1", "--algorithms", "crsh-2017"});
+  const test::TemporaryFolder folder;
+  const test::Outcome once = test::crsh({"render", glass, "-q", "--size", "12x10", "--bounces", "1", "--algorithm",
+                                         "crsh-2017", "--stats", "-", "-o", folder / "a.png"});
+  REQUIRE(once.status == 0);
+  const json& run = result["runs"][0];
+  CHECK(run["frames"] == 3);
+  for (const char* counter : {"count", "hits", "brute_force_tests", "triangle_tests", "paper_tests", "total_tests"})
+    CHECK(sum(run, counter) == 3 * sum(json::parse(once.out), counter));
+}
+
+TEST_CASE("frames of the algorithms take turns, and those for warming up are not counted") {
+  const json result = bench_json({glass, "--repeat", "3", "--warmup", "2", "--algorithms", "rah,crsh"});
+  CHECK(result["runs"][0]["bench"]["places"] == json({0, 2, 4}));
+  CHECK(result["runs"][1]["bench"]["places"] == json({1, 3, 5}));
+}
+
+TEST_CASE("--vary makes every combination, and leaves out what a preset does not look at") {
+  const json result = bench_json({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "brute,rah", "--vary",
+                                  "arity=4,8", "--vary", "--fit=merged,all", "--vary", "size=8x8,16x8"});
+  CHECK(labels_of(result) ==
+        std::vector<std::string>{
+            "brute size=8x8", "brute size=16x8", "rah arity=4 fit=merged size=8x8", "rah arity=4 fit=merged size=16x8",
+            "rah arity=4 fit=all size=8x8", "rah arity=4 fit=all size=16x8", "rah arity=8 fit=merged size=8x8",
+            "rah arity=8 fit=merged size=16x8", "rah arity=8 fit=all size=8x8", "rah arity=8 fit=all size=16x8"});
+  CHECK(result["runs"][2]["options"]["arity"] == 4);
+  CHECK(result["runs"][2]["options"]["fit"] == "merged");
+  CHECK(result["runs"][3]["image"]["width"] == 16);
+  CHECK(sum(result["runs"][2], "paper_tests") != sum(result["runs"][6], "paper_tests"));
+}
+
+TEST_CASE("brute force of many tests is counted, not traced, with the counters that tracing has") {
+  const std::string office = CRSH_SOURCE_DIR "/scenes/office.glb";
+  const json counted = bench_json({office, "--repeat", "100000", "--warmup", "0", "--algorithms", "brute"});
+  const json traced = bench_json({office, "--repeat", "1", "--warmup", "0", "--algorithms", "brute"});
+  CHECK(counted["runs"][0]["bench"]["traced"] == false);
+  CHECK(traced["runs"][0]["bench"]["traced"] == true);
+  CHECK(counted["runs"][0]["frames"] == 0);
+  CHECK(counted["runs"][0]["rays"] == traced["runs"][0]["rays"]);
+  const test::Outcome tables = bench({office, "--repeat", "100000", "--algorithms", "brute"});
+  CHECK(tables.out.find("Brute force was counted, not traced") != std::string::npos);
+}
+
+TEST_CASE("the tables have the paper's row names, and a column a scene") {
+  const test::Outcome outcome = bench({glass, cornell, "--repeat", "1", "--warmup", "0"});
+  REQUIRE(outcome.status == 0);
+  for (const char* text : {"Table 1",
+                           "TOTAL # ISECT",
+                           "RELATIVE %",
+                           "Brute Force",
+                           "RAH Algorithm",
+                           "Our Algorithm (crsh-2017)",
+                           "Our Algorithm (crsh)",
+                           "GLASS",
+                           "CORNELL",
+                           "Table 2: glass",
+                           "Table 2: cornell",
+                           "LEVEL 2",
+                           "LEVEL 1",
+                           "# SH INTERSECTIONS",
+                           "# SH MISSES",
+                           "# SH HITS",
+                           "# RE INTERSECTIONS",
+                           "Table 3",
+                           "TIME (MS)",
+                           "RAY CREATION",
+                           "RAY COMPRESSION",
+                           "RAY SORTING",
+                           "RAY DECOMPRESSION",
+                           "HIERARCHY CREATION",
+                           "HIERARCHY TRAVERSAL",
+                           "FINAL INTERSECTION TESTS",
+                           "vs RAH"}) {
+    CAPTURE(text);
+    CHECK(outcome.out.find(text) != std::string::npos);
+  }
+  CHECK(outcome.out.find("vs RAH") > outcome.out.find("Table 3"));
+}
+
+TEST_CASE("a scene's own options stand behind its path between quotes") {
+  const json result = bench_json(
+      {cornell + " --size 8x4 --rays shadow", glass, "--repeat", "1", "--warmup", "0", "--algorithms", "rah"});
+  CHECK(result["runs"][0]["options"]["rays"] == "shadow");
+  CHECK(result["runs"][1]["options"]["rays"] == "shadow,reflection,refraction");
+  CHECK(result["runs"][0]["scene"]["path"] == cornell);
+}
+
+TEST_CASE("the CSV has as many fields in each row as in its header, and times in the rows of sums alone") {
+  const test::TemporaryFolder folder;
+  REQUIRE(
+      bench({glass, "--repeat", "2", "--warmup", "0", "--algorithms", "rah,crsh", "--csv", folder / "a.csv"}).status ==
+      0);
+  const std::string text = output::read_whole(folder / "a.csv");
+  std::istringstream stream(text);
+  std::set<ptrdiff_t> commas;
+  size_t sums = 0, timed = 0;
+  for (std::string line; std::getline(stream, line);) {
+    commas.insert(std::ranges::count(line, ','));
+    sums += line.find(",all,") != std::string::npos;
+    timed += line.find(",,,,,") == std::string::npos;
+  }
+  CHECK(commas.size() == 1);
+  CHECK(sums == 2);
+  CHECK(timed == 3);  // the header, too
+  CHECK(text.starts_with("scene,label,algorithm,triangles,kind,bounce,count,"));
+}
+
+TEST_CASE("--count chooses the rays of Tables 1 and 2") {
+  const test::Outcome outcome =
+      bench({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "rah", "--count", "shadow:0"});
+  CHECK(outcome.out.find("shadow (k = 0) rays") != std::string::npos);
+  CHECK(outcome.out.find("# RE") == std::string::npos);
+}
+
+TEST_CASE("wrong usage of the bench is one line, before anything is rendered") {
+  const auto check_misuse = [](std::vector<std::string> options, const std::string& message, int status = 2) {
+    options.insert(options.begin(), "bench");
+    const test::Outcome outcome = test::crsh(options);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == status);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.error_lines() == 1);
+    CHECK(outcome.err.find(message) != std::string::npos);
+  };
+  check_misuse({}, "SCENE is missing");
+  check_misuse({"a.glb", "--algorithms", "rah,none"}, "no such algorithm: choose brute, ");
+  check_misuse({"a.glb", "--algorithms", "rah,rah"}, "rah stands twice");
+  check_misuse({"a.glb", "--vary", "arity"}, "OPTION=VALUE,VALUE is allowed");
+  check_misuse({"a.glb", "--vary", "colour=red"}, "colour: no option that can be varied");
+  check_misuse({"a.glb", "--vary", "arity=4,many"}, "a whole number from 2 to 64");
+  check_misuse({"a.glb", "--repeat", "0"}, "a whole number from 1");
+  check_misuse({"a.glb", "--count", "shadows"}, "allowed is shadow, reflection, refraction");
+  check_misuse({"a.glb", "--json", "-", "--csv", "-"}, "two outputs on standard output");
+  check_misuse({"a.glb", "--json", "a", "--csv", "./a"}, "two outputs into one file");
+  check_misuse({"a.glb", "--frames", "0..3"}, "--frames: no such option");
+  check_misuse({"a.glb --size 0x0"}, "'a.glb --size 0x0': --size 0x0");
+  check_misuse({"a.glb --device 1"}, "--device: no such option");
+  check_misuse({"none.glb", "-q"}, "none.glb", 1);
+  check_misuse({"a.glb", "--json", "no-such-folder/a.json"}, "the folder no-such-folder does not exist", 1);
+}
+
+TEST_CASE("a failure leaves no output") {
+  const test::TemporaryFolder folder;
+  CHECK(bench({glass, "none.glb", "--repeat", "1", "--json", folder / "a.json", "--csv", folder / "a.csv"}).status ==
+        1);
+  CHECK(folder.size() == 0);
+}
+
+}  // namespace
+}  // namespace crsh
