@@ -128,6 +128,7 @@ class Measurement {
 
   /// A, B, C, A, B, C, ...: a round is a frame of each.
   void repeat() {
+    if (schedule_.warmup + schedule_.repeat == 0) return;
     std::vector<std::unique_ptr<Renderer>> renderers;
     for (const Result& result : results_) {
       RenderOptions options = result.variant.options;

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "bench/ablation.h"
 #include "bench/data.h"
 #include "bench/paper_tables.h"
+#include "bench/report.h"
 #include "cli/bench_options.h"
 #include "error.h"
 #include "output/json_text.h"
@@ -64,13 +66,28 @@ std::vector<scene::Scene> load_scenes(const BenchCommand& command) {
   return scenes;
 }
 
-bench::SceneResults run_scene(const BenchCommand& command, size_t index, gpu::Device& device, const scene::Scene& scene,
-                              output::Progress& progress) {
+/// What measuring happens on and with.
+struct Stage {
+  gpu::Device& device;
+  const std::vector<scene::Scene>& scenes;
+  output::Progress& progress;
+  uint32_t parts = 0;  ///< begun
+  /// Progress of the next part of the whole.
+  [[nodiscard]] bench::Progress next() {
+    return [this, part = parts++](double done) { progress.update(part, part, done); };
+  }
+};
+
+struct Found {
+  std::vector<bench::SceneResults> scenes;
+  std::vector<bench::Table> ablations;
+};
+
+bench::SceneResults run_scene(const BenchCommand& command, size_t index, Stage& stage) {
   const BenchScene& asked = command.scenes[index];
-  const auto number = static_cast<uint32_t>(index);
-  const auto show = [&](double done) { progress.update(number, number, done); };
-  return {name_of(command, index), asked.path,
-          bench::measure(device, scene, variants_of(command, asked), command.schedule, show)};
+  return {
+      name_of(command, index), asked.path,
+      bench::measure(stage.device, stage.scenes[index], variants_of(command, asked), command.schedule, stage.next())};
 }
 
 void write_to(const std::string& path, const std::string& bytes, output::Progress& progress) {
@@ -79,36 +96,73 @@ void write_to(const std::string& path, const std::string& bytes, output::Progres
   progress.written(path);
 }
 
-std::string tables_text(const BenchCommand& command, const std::vector<bench::SceneResults>& scenes) {
-  std::string text = bench::text_of(bench::table_1(scenes, command.count)) + "\n";
-  for (const bench::SceneResults& scene : scenes) text += bench::text_of(bench::table_2(scene, command.count)) + "\n";
-  return text + bench::text_of(bench::table_3(scenes));
+/// Counters alone, of one frame each.
+bench::Table ablate(const BenchCommand& command, const std::string& algorithm, Stage& stage) {
+  std::vector<bench::SceneResults> results;
+  for (size_t i = 0; i < command.scenes.size(); ++i) {
+    const std::vector<bench::Variant> variants = ablations_of(command, command.scenes[i], algorithm);
+    results.push_back(
+        {name_of(command, i), command.scenes[i].path,
+         bench::measure(stage.device, stage.scenes[i], variants, {.warmup = 0, .repeat = 0}, stage.next())});
+  }
+  return bench::ablation_table(results, command.count);
+}
+
+/// Those that are asked for, or for a report all of ours that go beyond the paper.
+std::vector<std::string> presets_to_ablate(const BenchCommand& command) {
+  if (command.ablate) return *command.ablate;
+  std::vector<std::string> presets;
+  for (const std::string& name : command.algorithms)
+    if (!command.report.empty() && goes_beyond_paper(name)) presets.push_back(name);
+  return presets;
+}
+
+std::string tables_text(const BenchCommand& command, const Found& found) {
+  std::string text = bench::text_of(bench::table_1(found.scenes, command.count)) + "\n";
+  for (const bench::SceneResults& scene : found.scenes)
+    text += bench::text_of(bench::table_2(scene, command.count)) + "\n";
+  text += bench::text_of(bench::table_3(found.scenes));
+  for (const bench::Table& table : found.ablations) text += "\n" + bench::text_of(table);
+  for (const bench::SceneResults& scene : found.scenes) text += "\n" + bench::verdict(scene, command.count);
+  return text + "\n";
 }
 
 /// The tables are data, unless other data has standard output.
 void show_tables(const BenchCommand& command, const std::string& text) {
-  if (command.json != "-" && command.csv != "-") return output::write_stdout(text);
+  if (command.json != "-" && command.csv != "-" && command.report != "-") return output::write_stdout(text);
   say(command, text);
+}
+
+void write_files(const BenchCommand& command, const std::vector<std::string>& line, const Found& found, Stage& stage) {
+  const bench::Description description{line, stage.device.info(), command.schedule, [&](const bench::Variant& variant) {
+                                         return effective_options(command, variant);
+                                       }};
+  if (!command.json.empty())
+    write_to(command.json, output::json_text(bench::bench_json(description, found.scenes)), stage.progress);
+  if (!command.csv.empty()) write_to(command.csv, bench::bench_csv(found.scenes), stage.progress);
+  if (!command.report.empty())
+    write_to(command.report, bench::report_html({description, found.scenes, command.count, found.ablations, {}, {}}),
+             stage.progress);
 }
 
 void run_bench(BenchCommand& command, const std::vector<std::string>& line) {
   check_bench(command);
-  const std::vector<scene::Scene> loaded = load_scenes(command);
+  command.schedule.pictures = !command.report.empty();
+  command.schedule.exposure = command.common.exposure;
+  const std::vector<scene::Scene> scenes = load_scenes(command);
   gpu::Device device(command.common.device);
   say(command, fmt::format("device: {} ({} {}), {}", device.info().name, device.info().driver,
                            device.info().driver_version, device.info().type));
-  output::Progress progress(progress_mode(command.common), static_cast<uint32_t>(command.scenes.size()));
-  std::vector<bench::SceneResults> scenes;
-  for (size_t i = 0; i < command.scenes.size(); ++i)
-    scenes.push_back(run_scene(command, i, device, loaded[i], progress));
+  const std::vector<std::string> ablated = presets_to_ablate(command);
+  const auto parts = static_cast<uint32_t>(scenes.size() * (1 + ablated.size()));
+  output::Progress progress(progress_mode(command.common), parts);
+  Stage stage{device, scenes, progress};
+  Found found;
+  for (size_t i = 0; i < scenes.size(); ++i) found.scenes.push_back(run_scene(command, i, stage));
+  for (const std::string& algorithm : ablated) found.ablations.push_back(ablate(command, algorithm, stage));
   progress.clear();
-  const bench::Description description{line, device.info(), command.schedule, [&](const bench::Variant& variant) {
-                                         return effective_options(command, variant);
-                                       }};
-  if (!command.json.empty())
-    write_to(command.json, output::json_text(bench::bench_json(description, scenes)), progress);
-  if (!command.csv.empty()) write_to(command.csv, bench::bench_csv(scenes), progress);
-  show_tables(command, tables_text(command, scenes));
+  write_files(command, line, found, stage);
+  show_tables(command, tables_text(command, found));
 }
 
 }  // namespace

@@ -133,6 +133,27 @@ Option count_row(bench::RayFilter& filter) {
           .initial = "all"};
 }
 
+Option ablate_row(std::optional<std::vector<std::string>>& ablate) {
+  std::vector<std::string> words = preset_names();
+  words.emplace_back("none");
+  return {
+      .names = "--ablate",
+      .value = "LIST",
+      .help =
+          "Presets whose switches are set back one by one, to show what each is worth, with commas between; or none.",
+      .set =
+          [&ablate](const std::string& text) {
+            ablate.emplace();
+            if (text == "none") return;
+            for (const std::string& name : split(text, ',')) {
+              if (ignores_switches(name)) refuse(fmt::format("{} has no switches", name));
+              ablate->push_back(name);
+            }
+          },
+      .initial = "with --report those of --algorithms that go beyond the paper",
+      .words = words};
+}
+
 OptionGroup own_options(BenchCommand& command) {
   return {
       "Bench",
@@ -140,64 +161,11 @@ OptionGroup own_options(BenchCommand& command) {
        integer("--repeat", "N", "Timed frames of each, in turn with the others.", command.schedule.repeat, 1, 100000),
        integer("--warmup", "N", "Frames of each that are rendered first and not timed.", command.schedule.warmup, 0,
                100000),
-       count_row(command.count),
+       count_row(command.count), ablate_row(command.ablate),
+       text("--report", "FILE.html", "Write tables, charts and pictures as one page that needs no network.",
+            command.report),
        text("--json", "FILE|-", "Write every run's statistics (schema crsh-bench/1).", command.json),
        text("--csv", "FILE|-", "Write counters of a frame and median times as a table.", command.csv)}};
-}
-
-/// Sets the rows that are given, in the order of the table, as the command line does.
-void give_all(const std::vector<Given>& given, RenderCommand& render) {
-  for (const OptionGroup& group : render_options(render))
-    for (const Option& option : group.options)
-      for (const Given& one : given)
-        if (one.key == option.key()) option.set(one.value);
-}
-
-bool is_switch(const std::string& key) {
-  AlgorithmOptions scratch;
-  const OptionGroup group = algorithm_options(scratch);
-  return std::ranges::any_of(group.options, [&](const Option& option) { return option.key() == key; });
-}
-
-/// One value of each --vary.
-using Picks = std::vector<Given>;
-
-std::vector<Picks> combinations(const std::vector<Vary>& vary) {
-  std::vector<Picks> all = {{}};
-  for (const Vary& one : vary) {
-    std::vector<Picks> longer;
-    for (const Picks& picks : all)
-      for (const std::string& value : one.values) {
-        longer.push_back(picks);
-        longer.back().push_back({one.key, value});
-      }
-    all = std::move(longer);
-  }
-  return all;
-}
-
-/// To presets without nodes no switch matters: they run once for all values of one.
-void drop_idle_switches(const std::string& algorithm, Picks& picks) {
-  const Tracing tracing = preset(algorithm).tracing;
-  if (tracing == Tracing::brute || tracing == Tracing::single_rays || tracing == Tracing::ray_query)
-    std::erase_if(picks, [](const Given& pick) { return is_switch(pick.key); });
-}
-
-bench::Variant variant_of(const BenchCommand& command, const BenchScene& scene, const std::string& algorithm,
-                          const Picks& picks) {
-  bench::Variant variant{.label = algorithm};
-  std::vector<Given> given = {{"algorithm", algorithm}};
-  for (const auto* list : {&scene.given, &command.given, &picks}) given.insert(given.end(), list->begin(), list->end());
-  RenderCommand render;
-  give_all(given, render);
-  for (const Given& pick : picks) {
-    variant.label += fmt::format(" {}={}", pick.key, pick.value);
-    variant.vary[pick.key] = pick.value;
-    if (!is_switch(pick.key)) variant.rays += fmt::format("{}={};", pick.key, pick.value);
-  }
-  variant.options = render.options;
-  variant.seconds = frame_tasks(render).front().seconds;
-  return variant;
 }
 
 [[noreturn]] void misuse(const std::string& message) { throw UserError(message, Exit::usage); }
@@ -233,28 +201,11 @@ BenchScene parse_scene(const std::string& text) {
   return scene;
 }
 
-std::vector<bench::Variant> variants_of(const BenchCommand& command, const BenchScene& scene) {
-  std::vector<bench::Variant> variants;
-  for (const std::string& algorithm : command.algorithms)
-    for (Picks picks : combinations(command.vary)) {
-      drop_idle_switches(algorithm, picks);
-      bench::Variant variant = variant_of(command, scene, algorithm, picks);
-      const auto same = [&](const bench::Variant& other) { return other.label == variant.label; };
-      if (std::ranges::none_of(variants, same)) variants.push_back(std::move(variant));
-    }
-  return variants;
-}
-
-nlohmann::ordered_json effective_options(const BenchCommand& command, const bench::Variant& variant) {
-  RenderCommand render = command.common;
-  render.options = variant.options;
-  render.seconds = static_cast<float>(variant.seconds);
-  return effective_options(render_options(render));
-}
-
 void check_bench(const BenchCommand& command) {
+  if (!command.report.empty() && command.report != "-" && !command.report.ends_with(".html"))
+    misuse(fmt::format("--report {}: a path that ends in .html is allowed, or -", command.report));
   std::vector<std::string> paths;
-  for (const std::string* path : {&command.json, &command.csv}) {
+  for (const std::string* path : {&command.json, &command.csv, &command.report}) {
     if (path->empty()) continue;
     const std::string normal = std::filesystem::path(*path).lexically_normal();
     if (std::ranges::find(paths, normal) != paths.end())

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,12 @@ struct BenchCommand {
   std::vector<BenchScene> scenes;
   std::vector<std::string> algorithms;
   std::vector<Vary> vary;
-  std::vector<Given> given;  ///< for every scene
-  RenderCommand common;      ///< what they say: device, time, progress
+  std::optional<std::vector<std::string>> ablate;  ///< presets; none: ours, for a report
+  std::vector<Given> given;                        ///< for every scene
+  RenderCommand common;                            ///< what they say: device, time, progress
   bench::Schedule schedule;
   bench::RayFilter count;
-  std::string json, csv;  ///< paths, "-" or empty
+  std::string json, csv, report;  ///< paths, "-" or empty
 };
 
 /// All tables, bound to `command`.
@@ -48,6 +50,16 @@ struct BenchCommand {
 
 /// A scene's variants: every algorithm with every combination of --vary.
 [[nodiscard]] std::vector<bench::Variant> variants_of(const BenchCommand& command, const BenchScene& scene);
+
+/// To this preset no switch matters: it has no nodes.
+[[nodiscard]] bool ignores_switches(const std::string& algorithm);
+
+/// A preset of ours whose nodes are better than the paper's.
+[[nodiscard]] bool goes_beyond_paper(const std::string& algorithm);
+
+/// `algorithm` on this scene as it is, then with each of its switches, one at a time, as the paper has it, or off.
+[[nodiscard]] std::vector<bench::Variant> ablations_of(const BenchCommand& command, const BenchScene& scene,
+                                                       const std::string& algorithm);
 
 /// Every effective option of the variant, by its name.
 [[nodiscard]] nlohmann::ordered_json effective_options(const BenchCommand& command, const bench::Variant& variant);

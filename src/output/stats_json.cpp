@@ -104,34 +104,37 @@ Json device_json(const gpu::DeviceInfo& device) {
           {"subgroup_size", device.subgroup_size}};
 }
 
+Json host_json() { return {{"cpu", processor_name()}, {"threads", std::thread::hardware_concurrency()}}; }
+
 Json stats_json(const RunDescription& run, const Statistics& statistics) {
   Json rays = Json::array();
   for (const RayStatistics& row : statistics.rays) rays.push_back(rays_json(row));
-  return {{"schema", "crsh-stats/1"},
-          {"version", version},
-          {"commit", commit},
-          {"command", run.command},
-          {"options", run.options},
-          {"device", device_json(run.device)},
-          {"host", {{"cpu", processor_name()}, {"threads", std::thread::hardware_concurrency()}}},
-          {"scene",
-           {{"path", run.scene},
-            {"triangles", statistics.triangles},
-            {"meshes", statistics.meshes},
-            {"instances", statistics.instances},
-            {"lights", statistics.lights}}},
-          {"camera", run.replayed ? Json() : camera_json(run)},
-          {"image", run.replayed ? Json() : Json{{"width", run.width}, {"height", run.height}, {"samples", run.samples}}},
-          {"algorithm", run.algorithm},
-          {"frames", statistics.frames.size()},
-          {"frame_ms", frame_json(statistics.frames)},
-          {"stages", stages_json(statistics.frames)},
-          {"rays", std::move(rays)},
-          {"object_hierarchy",
-           {{"builds", statistics.object_hierarchy.builds},
-            {"refits", statistics.object_hierarchy.refits},
-            {"sah_cost", statistics.object_hierarchy.sah_cost}}},
-          {"memory", {{"device_peak_bytes", statistics.device_peak_bytes}}}};
+  return {
+      {"schema", "crsh-stats/1"},
+      {"version", version},
+      {"commit", commit},
+      {"command", run.command},
+      {"options", run.options},
+      {"device", device_json(run.device)},
+      {"host", host_json()},
+      {"scene",
+       {{"path", run.scene},
+        {"triangles", statistics.triangles},
+        {"meshes", statistics.meshes},
+        {"instances", statistics.instances},
+        {"lights", statistics.lights}}},
+      {"camera", run.replayed ? Json() : camera_json(run)},
+      {"image", run.replayed ? Json() : Json{{"width", run.width}, {"height", run.height}, {"samples", run.samples}}},
+      {"algorithm", run.algorithm},
+      {"frames", statistics.frames.size()},
+      {"frame_ms", frame_json(statistics.frames)},
+      {"stages", stages_json(statistics.frames)},
+      {"rays", std::move(rays)},
+      {"object_hierarchy",
+       {{"builds", statistics.object_hierarchy.builds},
+        {"refits", statistics.object_hierarchy.refits},
+        {"sah_cost", statistics.object_hierarchy.sah_cost}}},
+      {"memory", {{"device_peak_bytes", statistics.device_peak_bytes}}}};
 }
 
 }  // namespace crsh::output

@@ -29,4 +29,7 @@ struct RunDescription {
 /// A device as the statistics and `crsh info --json` describe it.
 [[nodiscard]] nlohmann::ordered_json device_json(const gpu::DeviceInfo& device);
 
+/// This machine: {"cpu", "threads"}.
+[[nodiscard]] nlohmann::ordered_json host_json();
+
 }  // namespace crsh::output

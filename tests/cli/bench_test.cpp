@@ -165,6 +165,69 @@ TEST_CASE("the CSV has as many fields in each row as in its header, and times in
   CHECK(text.starts_with("scene,label,algorithm,triangles,kind,bounce,count,"));
 }
 
+/// What `text` has between `before` and `after`, each time.
+std::vector<std::string> all_between(const std::string& text, const std::string& before, const std::string& after) {
+  std::vector<std::string> found;
+  for (size_t at = 0; (at = text.find(before, at)) != std::string::npos;) {
+    at += before.size();
+    found.push_back(text.substr(at, text.find(after, at) - at));
+  }
+  return found;
+}
+
+TEST_CASE("the report is one page that loads nothing, with tables, charts, pictures, machine and command") {
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome = bench({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "bvh,rah,crsh",
+                                       "--vary", "arity=8", "--report", folder / "a.html"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const std::string page = output::read_whole(folder / "a.html");
+  CHECK(page.starts_with("<!DOCTYPE html>"));
+  for (const char* loading : {"http:", "https:", "<script", "<link", "@import", "src='//"})
+    CHECK(page.find(loading) == std::string::npos);
+  for (const std::string& source : all_between(page, "src='", "'"))
+    CHECK(source.starts_with("data:image/png;base64,iVBORw0KGgo"));
+  for (const std::string& address : all_between(page, "url(", ")")) CHECK(address.starts_with("#p"));
+  CHECK(all_between(page, "<figure>", "</figure>").size() == 4);  // the picture, and a heat map each
+  for (const char* text :
+       {"Table 1", "Table 2", "Table 3", "glass: tests a level", "glass: time a stage", "--vary arity=8",
+        "subgroups of", "Single rays (bvh)", "Our Algorithm (crsh arity=8)", "key=spherical", "nodes=fixed",
+        "fit=merged", "interval=off", "levels=2", "bound=sphere-cone", "mesh-culling=off"}) {
+    CAPTURE(text);
+    CHECK(page.find(text) != std::string::npos);
+  }
+  CHECK(outcome.out.find("crsh, each option by itself") != std::string::npos);
+}
+
+TEST_CASE("the report's tags are closed in turn, also where names are hostile") {
+  if (test::run_program("python3", {"--version"}).status != 0) {
+    MESSAGE("skipped: python3 is not here");
+    return;
+  }
+  const test::TemporaryFolder folder;
+  const std::string hostile = folder / "a<b>&'\"c.glb";
+  output::write_whole(hostile, output::read_whole(glass));
+  REQUIRE(bench({hostile, "--repeat", "1", "--warmup", "0", "--algorithms", "crsh", "--report", folder / "a.html"})
+              .status == 0);
+  const test::Outcome parsed = test::run_program("python3", {"-c", R"(
+import html.parser, sys
+void = {'meta', 'img', 'br'}
+class Tags(html.parser.HTMLParser):
+    open = []
+    def handle_starttag(self, tag, attributes):
+        if tag not in void: self.open.append(tag)
+    def handle_startendtag(self, tag, attributes): pass
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag, tag
+tags = Tags()
+tags.feed(open(sys.argv[1]).read())
+assert not tags.open, tags.open
+)",
+                                                             folder / "a.html"});
+  CHECK(parsed.err == "");
+  CHECK(parsed.status == 0);
+}
+
 TEST_CASE("--count chooses the rays of Tables 1 and 2") {
   const test::Outcome outcome =
       bench({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "rah", "--count", "shadow:0"});
@@ -192,6 +255,8 @@ TEST_CASE("wrong usage of the bench is one line, before anything is rendered") {
   check_misuse({"a.glb", "--count", "shadows"}, "allowed is shadow, reflection, refraction");
   check_misuse({"a.glb", "--json", "-", "--csv", "-"}, "two outputs on standard output");
   check_misuse({"a.glb", "--json", "a", "--csv", "./a"}, "two outputs into one file");
+  check_misuse({"a.glb", "--report", "a.txt"}, "a path that ends in .html");
+  check_misuse({"a.glb", "--ablate", "brute"}, "brute has no switches");
   check_misuse({"a.glb", "--frames", "0..3"}, "--frames: no such option");
   check_misuse({"a.glb --size 0x0"}, "'a.glb --size 0x0': --size 0x0");
   check_misuse({"a.glb --device 1"}, "--device: no such option");
