@@ -57,6 +57,7 @@ void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& 
   Picture picture;
   result.counters = frame_of(renderer, result.variant, work, picture);
   result.variant.options = renderer.options();
+  result.first_frame = result.counters.frames.front();
   result.counters.frames.clear();
   result.counters.device_peak_bytes = device.peak_bytes();
   result.world_to_camera = picture.world_to_camera;

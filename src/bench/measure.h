@@ -27,6 +27,7 @@ struct Variant {
 struct Result {
   Variant variant;               ///< with the effective options
   Statistics counters;           ///< of one frame; `frames` are the timed ones, without warm-up
+  FrameTime first_frame;         ///< of all, in which an object hierarchy is built
   std::vector<uint32_t> places;  ///< of each timed frame in the sequence of all variants' timed frames
   std::string counted_from;      ///< not empty: not traced; the rays are those that this preset cast
   glm::mat4 world_to_camera{1}, world_to_ndc{1};

@@ -5,15 +5,10 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 namespace crsh::bench {
 namespace {
-
-const Result* reference_of(const SceneResults& scene) {
-  const auto is_rah = [](const Result& result) { return result.variant.options.algorithm.preset == "rah"; };
-  const auto found = std::ranges::find_if(scene.results, is_rah);
-  return found == scene.results.end() ? nullptr : &*found;
-}
 
 /// "sponza: 256.71 K shadow rays (k = 0)".
 std::string rays_of(const SceneResults& scene, const RayFilter& filter) {
@@ -106,6 +101,15 @@ constexpr std::array paper_stages = {Stage::ray_creation, Stage::ray_compression
 constexpr std::array costly_stages = {Stage::hierarchy_traversal, Stage::final_intersection};
 constexpr std::array other_stages = {Stage::object_hierarchy, Stage::raster, Stage::shading};
 
+double median_of_sums(const Result& result, std::span<const Stage> stages) {
+  std::vector<double> values;
+  for (const FrameTime& frame : result.counters.frames) {
+    values.push_back(0);
+    for (const Stage stage : stages) values.back() += frame.stage_ms[static_cast<size_t>(stage)];
+  }
+  return median(std::move(values));
+}
+
 /// The paper's name.
 std::string name_of(Stage stage) {
   return upper(gpu::stage_names[static_cast<size_t>(stage)]) + (stage == Stage::final_intersection ? " TESTS" : "");
@@ -124,16 +128,37 @@ void add_times(Table& table, const std::vector<SceneResults>& scenes, size_t var
   std::ranges::for_each(paper_stages, add_stage);
   std::ranges::for_each(costly_stages, add_stage);
   std::ranges::for_each(other_stages, add_stage);
+  if (scenes.front().results[variant].variant.options.algorithm.object_hierarchy)
+    add("OBJECT HIERARCHY, FIRST FRAME",
+        [](const Result& result) { return result.first_frame.stage_ms[static_cast<size_t>(Stage::object_hierarchy)]; });
+  add("ALL SECONDARY COST", secondary_median);
   add("WHOLE FRAME", [](const Result& result) { return frame_median(result); });
 }
 
-void add_ratios(Table& table, const std::vector<SceneResults>& scenes, size_t variant) {
-  table.rows.push_back({row_name(scenes.front().results[variant]) + " vs RAH"});
+/// How many times faster than the `reference`th variant.
+void add_ratios(Table& table, const std::vector<SceneResults>& scenes, size_t variant, size_t reference) {
+  const auto& first = scenes.front().results;
+  const auto add = [&](const std::string& name, auto milliseconds) {
+    std::vector<std::string> row = {name};
+    for (const SceneResults& scene : scenes)
+      row.push_back(ratio_text(milliseconds(scene.results[reference]), milliseconds(scene.results[variant])));
+    table.rows.push_back(std::move(row));
+  };
+  table.rows.push_back(
+      {fmt::format("{} vs {}", row_name(first[variant]), upper(first[reference].variant.options.algorithm.preset))});
   for (const Stage stage : costly_stages)
-    table.rows.push_back(
-        row_over_scenes(scenes, name_of(stage), variant, [&](const auto& scene, const Result& result, auto& row) {
-          row.push_back(ratio_text(stage_median(*reference_of(scene), stage), stage_median(result, stage)));
-        }));
+    if (stage_median(first[reference], stage) > 0)
+      add(name_of(stage), [stage](const Result& result) { return stage_median(result, stage); });
+  add("BOTH TOGETHER", tracing_median);
+  add("ALL SECONDARY COST", secondary_median);
+}
+
+/// The first variant of a preset.
+std::optional<size_t> variant_named(const std::vector<SceneResults>& scenes, std::string_view preset) {
+  const auto& results = scenes.front().results;
+  for (size_t i = 0; i < results.size(); ++i)
+    if (results[i].variant.options.algorithm.preset == preset) return i;
+  return {};
 }
 
 bool is_timed(const std::vector<SceneResults>& scenes, size_t variant) {
@@ -175,6 +200,14 @@ double stage_median(const Result& result, gpu::Stage stage) {
   std::vector<double> values;
   for (const FrameTime& frame : result.counters.frames) values.push_back(frame.stage_ms[static_cast<size_t>(stage)]);
   return median(std::move(values));
+}
+
+double tracing_median(const Result& result) { return median_of_sums(result, costly_stages); }
+
+double secondary_median(const Result& result) {
+  std::vector<Stage> stages(paper_stages.begin(), paper_stages.end());
+  stages.insert(stages.end(), costly_stages.begin(), costly_stages.end());
+  return median_of_sums(result, stages);
 }
 
 double frame_median(const Result& result) {
@@ -231,14 +264,16 @@ Table table_3(const std::vector<SceneResults>& scenes) {
       frames = std::max(frames, scenes.front().results[variant].counters.frames.size());
       add_times(table, scenes, variant);
     }
-  for (size_t variant = 0; variant < variants; ++variant) {
-    const Result* reference = reference_of(scenes.front());
-    const Result& result = scenes.front().results[variant];
-    if (reference && &result != reference && result.variant.options.algorithm.tracing != Tracing::brute &&
-        is_timed(scenes, variant))
-      add_ratios(table, scenes, variant);
-  }
+  for (const char* rival : {"rah", "bvh"})
+    if (const auto reference = variant_named(scenes, rival); reference && is_timed(scenes, *reference))
+      for (size_t variant = 0; variant < variants; ++variant)
+        if (variant != *reference && is_timed(scenes, variant) &&
+            scenes.front().results[variant].variant.options.algorithm.tracing != Tracing::brute)
+          add_ratios(table, scenes, variant, *reference);
   table.title = fmt::format("Table 3: render times, medians of {} interleaved frames", frames);
+  table.note =
+      "vs: how many times faster. ALL SECONDARY COST: from ray creation to final intersection, without the object "
+      "hierarchy.";
   return table;
 }
 

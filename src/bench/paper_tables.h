@@ -40,6 +40,9 @@ using RayFilter = std::vector<CountedRays>;
 /// Median milliseconds of a stage, or of the whole frame.
 [[nodiscard]] double stage_median(const Result& result, gpu::Stage stage);
 [[nodiscard]] double frame_median(const Result& result);
+/// Of traversal and intersection together, and of everything from ray creation on up to there.
+[[nodiscard]] double tracing_median(const Result& result);
+[[nodiscard]] double secondary_median(const Result& result);
 
 /// Sums over the counted rays.
 struct Sums {

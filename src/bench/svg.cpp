@@ -91,7 +91,7 @@ std::string log_grid(const LogScale& scale, double height) {
 
 // ---- curves
 
-constexpr double plot_left = 13, plot_width = 84, plot_top = 12, plot_height = 230;
+constexpr double plot_left = 13, plot_width = 84, plot_top = 24, plot_height = 230;
 
 /// The i-th curve's dashes and mark.
 constexpr std::array<const char*, 5> dashes = {"", "7 3", "2 3", "9 3 2 3", "1 5"};

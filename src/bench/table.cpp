@@ -63,6 +63,7 @@ std::string spans_line(const Table& table, const std::vector<size_t>& widths) {
 
 /// Three significant digits at least, and two decimals.
 std::string figure(double value) {
+  if (value >= 1000) return fmt::format("{:.0f}", value);
   if (value >= 1 || value == 0) return fmt::format("{:.2f}", value);
   return value >= 1e-4 ? fmt::format("{:#.3g}", value) : fmt::format("{:.2e}", value);
 }

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "bench/ablation.h"
+#include "bench/binned_sah.h"
 #include "bench/data.h"
 #include "bench/paper_tables.h"
 #include "bench/report.h"
@@ -81,6 +83,8 @@ struct Stage {
 struct Found {
   std::vector<bench::SceneResults> scenes;
   std::vector<bench::Table> ablations;
+  std::vector<bench::ChartSection> sweeps;
+  std::vector<bench::Table> others;
 };
 
 bench::SceneResults run_scene(const BenchCommand& command, size_t index, Stage& stage) {
@@ -108,6 +112,31 @@ bench::Table ablate(const BenchCommand& command, const std::string& algorithm, S
   return bench::ablation_table(results, command.count);
 }
 
+/// Of each scene in turn, with a tenth of the frames.
+std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::SweepKind kind, Stage& stage) {
+  bench::Schedule schedule = command.schedule;
+  schedule.repeat = std::max(1u, schedule.repeat / 10);
+  schedule.pictures = false;
+  std::vector<bench::ChartSection> sections;
+  for (size_t i = 0; i < stage.scenes.size(); ++i) {
+    const auto variants = variants_of(command, command.scenes[i]);
+    const auto steps = bench::sweep(kind, stage.device, stage.scenes[i], variants, schedule, stage.next());
+    sections.push_back(bench::sweep_section(kind, name_of(command, i), steps));
+  }
+  return sections;
+}
+
+/// Where there is an object hierarchy, how good it is.
+void judge_hierarchies(const Stage& stage, Found& found) {
+  const auto has_one = [](const bench::Result& result) { return result.variant.options.algorithm.object_hierarchy; };
+  if (std::ranges::none_of(found.scenes.front().results, has_one)) return;
+  std::vector<double> binned;
+  for (size_t i = 0; i < stage.scenes.size(); ++i)
+    binned.push_back(
+        bench::binned_sah_cost(bench::world_boxes(stage.scenes[i], found.scenes[i].results.front().variant)));
+  found.others.push_back(bench::sah_table(found.scenes, binned));
+}
+
 /// Those that are asked for, or for a report all of ours that go beyond the paper.
 std::vector<std::string> presets_to_ablate(const BenchCommand& command) {
   if (command.ablate) return *command.ablate;
@@ -123,6 +152,8 @@ std::string tables_text(const BenchCommand& command, const Found& found) {
     text += bench::text_of(bench::table_2(scene, command.count)) + "\n";
   text += bench::text_of(bench::table_3(found.scenes));
   for (const bench::Table& table : found.ablations) text += "\n" + bench::text_of(table);
+  for (const bench::Table& table : found.others) text += "\n" + bench::text_of(table);
+  for (const bench::ChartSection& section : found.sweeps) text += "\n" + bench::text_of(section.table);
   for (const bench::SceneResults& scene : found.scenes) text += "\n" + bench::verdict(scene, command.count);
   return text + "\n";
 }
@@ -141,8 +172,10 @@ void write_files(const BenchCommand& command, const std::vector<std::string>& li
     write_to(command.json, output::json_text(bench::bench_json(description, found.scenes)), stage.progress);
   if (!command.csv.empty()) write_to(command.csv, bench::bench_csv(found.scenes), stage.progress);
   if (!command.report.empty())
-    write_to(command.report, bench::report_html({description, found.scenes, command.count, found.ablations, {}, {}}),
-             stage.progress);
+    write_to(
+        command.report,
+        bench::report_html({description, found.scenes, command.count, found.ablations, found.sweeps, found.others}),
+        stage.progress);
 }
 
 void run_bench(BenchCommand& command, const std::vector<std::string>& line) {
@@ -154,12 +187,15 @@ void run_bench(BenchCommand& command, const std::vector<std::string>& line) {
   say(command, fmt::format("device: {} ({} {}), {}", device.info().name, device.info().driver,
                            device.info().driver_version, device.info().type));
   const std::vector<std::string> ablated = presets_to_ablate(command);
-  const auto parts = static_cast<uint32_t>(scenes.size() * (1 + ablated.size()));
+  const auto parts = static_cast<uint32_t>(scenes.size() * (1 + ablated.size() + command.sweeps.size()));
   output::Progress progress(progress_mode(command.common), parts);
   Stage stage{device, scenes, progress};
   Found found;
   for (size_t i = 0; i < scenes.size(); ++i) found.scenes.push_back(run_scene(command, i, stage));
   for (const std::string& algorithm : ablated) found.ablations.push_back(ablate(command, algorithm, stage));
+  for (const bench::SweepKind kind : command.sweeps)
+    for (bench::ChartSection& section : sweep(command, kind, stage)) found.sweeps.push_back(std::move(section));
+  judge_hierarchies(stage, found);
   progress.clear();
   write_files(command, line, found, stage);
   show_tables(command, tables_text(command, found));

@@ -154,6 +154,23 @@ Option ablate_row(std::optional<std::vector<std::string>>& ablate) {
       .words = words};
 }
 
+Option sweep_row(std::vector<bench::SweepKind>& sweeps) {
+  return {
+      .names = "--sweep",
+      .value = "LIST",
+      .help =
+          "How cost grows with triangles, pixels or lights, with commas between: as curves in the report. A tenth of "
+          "--repeat's frames each.",
+      .set =
+          [&sweeps](const std::string& text) {
+            sweeps.clear();
+            for (const std::string& name : split(text, ','))
+              sweeps.push_back(static_cast<bench::SweepKind>(parse_choice(name, bench::sweep_names)));
+          },
+      .initial = "none",
+      .words = bench::sweep_names};
+}
+
 OptionGroup own_options(BenchCommand& command) {
   return {
       "Bench",
@@ -161,7 +178,7 @@ OptionGroup own_options(BenchCommand& command) {
        integer("--repeat", "N", "Timed frames of each, in turn with the others.", command.schedule.repeat, 1, 100000),
        integer("--warmup", "N", "Frames of each that are rendered first and not timed.", command.schedule.warmup, 0,
                100000),
-       count_row(command.count), ablate_row(command.ablate),
+       count_row(command.count), ablate_row(command.ablate), sweep_row(command.sweeps),
        text("--report", "FILE.html", "Write tables, charts and pictures as one page that needs no network.",
             command.report),
        text("--json", "FILE|-", "Write every run's statistics (schema crsh-bench/1).", command.json),

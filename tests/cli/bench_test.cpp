@@ -199,6 +199,22 @@ TEST_CASE("the report is one page that loads nothing, with tables, charts, pictu
   CHECK(outcome.out.find("crsh, each option by itself") != std::string::npos);
 }
 
+TEST_CASE("--sweep shows growth with lights and pixels, as tables and curves; brute force has no part in it") {
+  const test::TemporaryFolder folder;
+  const test::Outcome outcome = bench({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "brute,bvh", "--ablate",
+                                       "none", "--sweep", "lights,pixels", "--report", folder / "a.html"});
+  REQUIRE(outcome.status == 0);
+  const size_t at = outcome.out.find("Growth with lights: glass");
+  REQUIRE(at != std::string::npos);
+  CHECK(outcome.out.find("growth, 8.00X", at) != std::string::npos);
+  CHECK(outcome.out.find("growth, 16.00X", at) != std::string::npos);
+  CHECK(outcome.out.find("Brute Force", at) == std::string::npos);
+  CHECK(outcome.out.find("binned SAH build") != std::string::npos);
+  const std::string page = output::read_whole(folder / "a.html");
+  CHECK(page.find("glass: growth with lights</title>") != std::string::npos);
+  CHECK(page.find("glass: growth with pixels</title>") != std::string::npos);
+}
+
 TEST_CASE("the report's tags are closed in turn, also where names are hostile") {
   if (test::run_program("python3", {"--version"}).status != 0) {
     MESSAGE("skipped: python3 is not here");
@@ -257,6 +273,7 @@ TEST_CASE("wrong usage of the bench is one line, before anything is rendered") {
   check_misuse({"a.glb", "--json", "a", "--csv", "./a"}, "two outputs into one file");
   check_misuse({"a.glb", "--report", "a.txt"}, "a path that ends in .html");
   check_misuse({"a.glb", "--ablate", "brute"}, "brute has no switches");
+  check_misuse({"a.glb", "--sweep", "cameras"}, "allowed is triangles, pixels, lights");
   check_misuse({"a.glb", "--frames", "0..3"}, "--frames: no such option");
   check_misuse({"a.glb --size 0x0"}, "'a.glb --size 0x0': --size 0x0");
   check_misuse({"a.glb --device 1"}, "--device: no such option");

@@ -96,90 +96,6 @@ double cost_times_area(const Tree& tree, uint32_t node) {
   return 2.0 * shared::box_cost * whole.half_area() + below;
 }
 
-/// A top-down build that keeps nothing but its cost.
-class BinnedBuild {
- public:
-  explicit BinnedBuild(const std::vector<Triangle>& triangles) {
-    for (const Triangle& triangle : triangles) boxes_.push_back(padded_box(triangle));
-  }
-
-  double run() {
-    std::vector<uint32_t> all(boxes_.size());
-    std::iota(all.begin(), all.end(), 0u);
-    const TreeBox root = box_of(all);
-    return all.size() < 2 ? 0 : build(all, root, true) / root.half_area();
-  }
-
- private:
-  static constexpr int bins = 32;
-  struct Bin {
-    TreeBox box;
-    uint32_t count = 0;
-  };
-  struct Split {
-    int axis = -1, bin = 0;  ///< the first bin on the right
-    double cost = std::numeric_limits<double>::infinity();
-  };
-
-  [[nodiscard]] vec3 middle(uint32_t i) const { return 0.5f * (boxes_[i].low + boxes_[i].high); }
-
-  [[nodiscard]] TreeBox box_of(std::span<const uint32_t> ids) const {
-    TreeBox box;
-    for (const uint32_t i : ids) box.include(boxes_[i]);
-    return box;
-  }
-
-  [[nodiscard]] TreeBox middles_of(std::span<const uint32_t> ids) const {
-    TreeBox box;
-    for (const uint32_t i : ids) box.include({middle(i), middle(i)});
-    return box;
-  }
-
-  [[nodiscard]] int bin_of(uint32_t i, const TreeBox& middles, int axis) const {
-    const float extent = middles.high[axis] - middles.low[axis];
-    return std::min(bins - 1, int((middle(i)[axis] - middles.low[axis]) / extent * bins));
-  }
-
-  void try_axis(std::span<const uint32_t> ids, const TreeBox& middles, int axis, Split& best) const {
-    if (!(middles.high[axis] > middles.low[axis])) return;
-    std::array<Bin, bins> bin{};
-    for (const uint32_t i : ids) {
-      Bin& own = bin[bin_of(i, middles, axis)];
-      own.box.include(boxes_[i]);
-      ++own.count;
-    }
-    std::array<double, bins> right{};
-    Bin sum;
-    for (int b = bins - 1; b > 0; --b) {
-      sum.box.include(bin[b].box), sum.count += bin[b].count;
-      right[b] = sum.count ? sum.count * sum.box.half_area() : std::numeric_limits<double>::infinity();
-    }
-    sum = {};
-    for (int b = 1; b < bins; ++b) {
-      sum.box.include(bin[b - 1].box), sum.count += bin[b - 1].count;
-      if (sum.count && sum.count * sum.box.half_area() + right[b] < best.cost)
-        best = {axis, b, sum.count * sum.box.half_area() + right[b]};
-    }
-  }
-
-  double build(std::span<uint32_t> ids, const TreeBox& box, bool is_root = false) const {
-    const double area = box.half_area(), as_leaf = shared::triangle_cost * double(ids.size()) * area;
-    if (ids.size() == 1) return as_leaf;
-    const TreeBox middles = middles_of(ids);
-    Split split;
-    for (int axis = 0; axis < 3; ++axis) try_axis(ids, middles, axis, split);
-    auto half = ids.begin() + std::ptrdiff_t(ids.size() / 2);
-    if (split.axis >= 0)
-      half = std::partition(ids.begin(), ids.end(),
-                            [&](uint32_t i) { return bin_of(i, middles, split.axis) < split.bin; });
-    const std::span<uint32_t> left(ids.begin(), half), right(half, ids.end());
-    const double as_node = 2.0 * shared::box_cost * area + build(left, box_of(left)) + build(right, box_of(right));
-    return ids.size() <= shared::max_leaf_triangles && !is_root ? std::min(as_leaf, as_node) : as_node;
-  }
-
-  std::vector<TreeBox> boxes_;
-};
-
 }  // namespace
 
 bool TreeBox::holds(const TreeBox& inner) const {
@@ -226,7 +142,5 @@ double sah_cost(const Tree& tree) {
   const double area = root.half_area();
   return area > 0 ? cost_times_area(tree, 0) / area : 0;
 }
-
-double binned_sah_cost(const std::vector<Triangle>& triangles) { return BinnedBuild(triangles).run(); }
 
 }  // namespace crsh::test

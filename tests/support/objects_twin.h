@@ -37,7 +37,4 @@ struct Tree {
 /// Expected tests of a ray that meets the root: the surface area heuristic.
 [[nodiscard]] double sah_cost(const Tree& tree);
 
-/// The same of a top-down build by the binned surface area heuristic: 32 bins an axis, leaves of 4 triangles at most.
-[[nodiscard]] double binned_sah_cost(const std::vector<Triangle>& triangles);
-
 }  // namespace crsh::test
