@@ -1,0 +1,124 @@
+// The exact counters of every preset on rays that are checked in (tests/rays): one test more or less is seen.
+// CRSH_BLESS=1 takes new counters; where a file of rays is missing, also new rays.
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "output/ray_file.h"
+#include "output/whole_file.h"
+#include "rays/hash.h"
+#include "support/device.h"
+#include "support/render.h"
+
+namespace crsh::test {
+namespace {
+
+const std::filesystem::path folder = CRSH_SOURCE_DIR "/tests/rays";
+const std::filesystem::path table_file = folder / "counters.txt";
+constexpr uintmax_t most_bytes = 300 << 10;
+
+bool blesses() {
+  const char* bless = std::getenv("CRSH_BLESS");
+  return bless && std::string(bless) == "1";
+}
+
+/// A scene of the project, and the size of the picture that its rays come from.
+struct Recording {
+  const char* scene;
+  uint32_t width, height;
+};
+constexpr Recording recordings[] = {
+    {"cornell", 36, 24}, {"glass", 28, 20}, {"moving", 36, 24}, {"office", 18, 12}, {"colonnade", 28, 20}};
+
+/// One function whose result may differ between drivers by a bit makes these keys: they are taken from the file.
+constexpr const char* inexact_key = "spherical";
+
+void record(const Recording& recording, const std::filesystem::path& file) {
+  RenderOptions options;
+  options.width = recording.width;
+  options.height = recording.height;
+  options.bounces = 1;
+  options.algorithm = preset("crsh-2017");
+  RayTable rays;
+  Renderer renderer(device(), own_scene(recording.scene), options);
+  (void)renderer.render(0, {}, &rays);
+  output::write_rays(file, rays);
+}
+
+/// A line a kind and bounce.
+std::string lines_of(const std::string& start, const Statistics& statistics) {
+  std::string text;
+  for (const RayStatistics& rays : statistics.rays) {
+    if (!rays.count) continue;
+    text += fmt::format("{} {} {}: rays {} hits {:016x} mesh {} box {}", start, rays.kind, rays.bounce, rays.count,
+                        rays.hits_digest, rays.mesh_tests, rays.box_tests);
+    for (const LevelStatistics& level : rays.levels)
+      text += fmt::format(" level{} {}/{}/{}", level.level, level.nodes, level.tests, level.hits);
+    text += fmt::format(" triangle {}\n", rays.triangle_tests);
+  }
+  return text;
+}
+
+std::string replayed(const Recording& recording, const RayTable& rays, const std::string& name) {
+  RenderOptions options;
+  options.bounces = 1;
+  options.algorithm = preset(name);
+  for (std::string& key : options.algorithm.keys)
+    if (key == inexact_key) key = rays::key_of_file;
+  Renderer renderer(device(), own_scene(recording.scene), options);
+  renderer.replay(rays, 0);
+  return lines_of(fmt::format("{} {}", recording.scene, name), renderer.statistics());
+}
+
+/// The lines of the table by what they begin with: "office crsh".
+std::map<std::string, std::string> recorded() {
+  std::map<std::string, std::string> lines;
+  if (!std::filesystem::exists(table_file)) return lines;
+  std::istringstream stream(output::read_whole(table_file));
+  for (std::string line; std::getline(stream, line);)
+    lines[line.substr(0, line.find(' ', line.find(' ') + 1))] += line + "\n";
+  return lines;
+}
+
+TEST_CASE("every preset has the recorded counters on the recorded rays, to the last test") {
+  const std::map<std::string, std::string> expected = recorded();
+  std::string all;
+  for (const Recording& recording : recordings) {
+    const std::filesystem::path file = folder / (std::string(recording.scene) + ".npz");
+    if (blesses() && !std::filesystem::exists(file)) record(recording, file);
+    CHECK(std::filesystem::file_size(file) <= most_bytes);
+    const RayTable rays = output::read_rays(file);
+    for (const std::string& name : preset_names()) {
+      const std::string lines = replayed(recording, rays, name), start = fmt::format("{} {}", recording.scene, name);
+      all += lines;
+      const auto found = expected.find(start);
+      INFO("where that is meant: CRSH_BLESS=1 build/test_images -tc='*recorded*', and look at the difference");
+      if (!blesses()) CHECK(lines == (found == expected.end() ? start + ": nothing recorded" : found->second));
+    }
+  }
+  if (blesses()) output::write_whole(table_file, all);
+}
+
+TEST_CASE("the recorded table notices a fault that loses one pair in 10,000") {
+  if (blesses()) return;
+  const std::map<std::string, std::string> expected = recorded();
+  const Recording& office = recordings[3];
+  REQUIRE(std::string(office.scene) == "office");
+  RenderOptions options;
+  options.bounces = 1;
+  options.algorithm = preset("rah");
+  options.mutation = "dropped-pairs";
+  Renderer renderer(device(), own_scene(office.scene), options);
+  renderer.replay(output::read_rays(folder / "office.npz"), 0);
+  CHECK(lines_of("office rah", renderer.statistics()) != expected.at("office rah"));
+}
+
+}  // namespace
+}  // namespace crsh::test
