@@ -42,6 +42,8 @@ struct Positional {
 
 struct Command {
   std::string name, summary;
+  std::string call = {};  ///< how it is called; empty: "crsh NAME"
+  std::string help = {};  ///< the line that says more about it; empty: "crsh help NAME"
   std::vector<Positional> positionals;
   std::vector<OptionGroup> groups;
   std::string epilogue;                           ///< examples: the end of the help

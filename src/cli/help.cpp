@@ -57,7 +57,7 @@ std::string default_of(const Option& option) {
 }
 
 std::string usage_of(const Command& command) {
-  std::string usage = fmt::format("Usage: crsh {}", command.name);
+  std::string usage = "Usage: " + (command.call.empty() ? "crsh " + command.name : command.call);
   for (const Positional& positional : command.positionals)
     usage += fmt::format(fmt::runtime(positional.required ? " {}{}" : " [{}{}]"), positional.name,
                          positional.repeats ? "..." : "");

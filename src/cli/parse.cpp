@@ -13,7 +13,8 @@ namespace crsh::cli {
 namespace {
 
 [[noreturn]] void misuse(const Command& command, const std::string& what) {
-  throw UserError(fmt::format("{} (see crsh help {})", what, command.name), Exit::usage);
+  const std::string help = command.help.empty() ? "crsh help " + command.name : command.help;
+  throw UserError(fmt::format("{} (see {})", what, help), Exit::usage);
 }
 
 /// An option or positional of the table and what CLI11 collects for it.

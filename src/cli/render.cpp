@@ -23,6 +23,7 @@
 #include "output/stats_json.h"
 #include "output/whole_file.h"
 #include "rays/hash.h"
+#include "scene/hide.h"
 #include "scene/scene.h"
 
 namespace crsh::cli {
@@ -58,15 +59,6 @@ output::Progress::Mode progress_mode(const RenderCommand& command) {
   if (command.progress == ProgressChoice::json) return Mode::json;
   const bool shown = command.progress == ProgressChoice::automatic && !command.quiet && ::isatty(STDERR_FILENO);
   return shown ? Mode::bar : Mode::none;
-}
-
-/// The options that change pixels, with the frame's own time.
-output::Attributes attributes_of(RenderCommand& command, double seconds) {
-  nlohmann::ordered_json values = effective_options(render_options(command), true);
-  values["time"] = seconds;
-  output::Attributes attributes;
-  for (const auto& [name, value] : values.items()) attributes.emplace_back("crsh:" + name, text_of(value));
-  return attributes;
 }
 
 /// Settles the exposure by the first picture, and says so when it shows little.
@@ -185,7 +177,8 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   check_combinations(command);
   check_places(command);
   drop_unused_layers(command);
-  const scene::Scene scene = scene::load(command.scene, command.options.scene);
+  scene::Scene scene = scene::load(command.scene, command.options.scene);
+  scene::hide(scene, command.options.hidden);
   const RayTable rays = command.replay_rays.empty() ? RayTable() : read_replay(command);
   count_bounces_of(rays, command.options.bounces);
   gpu::Device device(command.device);

@@ -39,12 +39,6 @@ void check_rays(const RenderCommand& command) {
   if (command.stats.empty() && !dumps) misuse("--replay-rays: give --stats FILE or --dump-rays FILE for what becomes of the rays");
 }
 
-void check_view(const ViewOption& view, const std::string& camera) {
-  if (!camera.empty() && (view.eye || view.target))
-    misuse("--camera is one of the file's, --eye and --target your own: give one");
-  if (view.eye && view.target && *view.eye == *view.target) misuse("--eye and --target are the same point");
-}
-
 /// Files of all frames, each once: throws where one is named twice.
 void check_distinct(const RenderCommand& command) {
   std::set<std::filesystem::path> seen;
@@ -58,6 +52,12 @@ void check_distinct(const RenderCommand& command) {
 }
 
 }  // namespace
+
+void check_view(const ViewOption& view, const std::string& camera) {
+  if (!camera.empty() && (view.eye || view.target))
+    misuse("--camera is one of the file's, --eye and --target your own: give one");
+  if (view.eye && view.target && *view.eye == *view.target) misuse("--eye and --target are the same point");
+}
 
 void check_combinations(const RenderCommand& command) {
   if (command.seconds && command.frames) misuse("--time is for one picture, --frames for many: give one");

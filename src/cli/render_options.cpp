@@ -151,6 +151,15 @@ Option light_row(std::vector<LightOption>& lights) {
       .initial = "the file's lights, else one beside the camera"};
 }
 
+Option hide_row(std::vector<std::string>& hidden) {
+  return {.names = "--hide", .value = "INDEX|NAME",
+          .help = "Leave out an object: its index (Object.id less 1), or the name of a node with all below it. Repeats.",
+          .set = [&hidden](const std::string& text) { hidden.push_back(text); },
+          .get = [&hidden] { return hidden.empty() ? Json() : Json(hidden); },
+          .repeats = true,
+          .pixels = true};
+}
+
 OptionGroup scene_options(RenderOptions& options) {
   return {"Scene and view",
           {changes_pixels(with_default("the file's default",
@@ -159,7 +168,7 @@ OptionGroup scene_options(RenderOptions& options) {
                                        text("--camera", "INDEX|NAME", "Which of the file's cameras.", options.camera))),
            vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
            vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
-           fov_row(options.view.fov_degrees), light_row(options.lights)}};
+           fov_row(options.view.fov_degrees), light_row(options.lights), hide_row(options.hidden)}};
 }
 
 FrameRange parse_frames(const std::string& text) {
@@ -282,6 +291,14 @@ OptionGroup output_options(RenderCommand& command) {
 std::vector<OptionGroup> render_options(RenderCommand& command) {
   return {output_options(command), picture_options(command.options), scene_options(command.options),
           time_options(command), algorithm_options(command.options.algorithm), device_options(command)};
+}
+
+output::Attributes attributes_of(RenderCommand& command, double seconds) {
+  nlohmann::ordered_json values = effective_options(render_options(command), true);
+  values["time"] = seconds;
+  output::Attributes attributes;
+  for (const auto& [name, value] : values.items()) attributes.emplace_back("crsh:" + name, text_of(value));
+  return attributes;
 }
 
 std::vector<FrameTask> frame_tasks(const RenderCommand& command) {

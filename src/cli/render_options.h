@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "frame/options.h"
 #include "gpu/device.h"
+#include "output/exr.h"
 #include "output/path_pattern.h"
 
 namespace crsh::cli {
@@ -52,6 +53,9 @@ struct RenderCommand {
 [[nodiscard]] std::string layers_help();
 /// What --layers may name.
 [[nodiscard]] std::vector<std::string> layer_words();
+
+/// Attributes of an EXR: the options that change pixels, with the frame's own time.
+[[nodiscard]] output::Attributes attributes_of(RenderCommand& command, double seconds);
 
 /// The pictures that the command asks for, in order of time.
 [[nodiscard]] std::vector<FrameTask> frame_tasks(const RenderCommand& command);

@@ -108,37 +108,50 @@ void trace_paths(Renderer::State& s, const Renderer::Progress& progress, double 
   gather_generations(s, generations);
 }
 
+/// Steps 2 to 7 of the film's next sample. `begun` samples of this call are done.
+void render_sample(Renderer::State& s, const raster::CameraView& view, const Renderer::Progress& progress,
+                   uint32_t begun) {
+  const uint32_t pixels = s.size.width * s.size.height;
+  const double share = double(std::min(s.portion, pixels)) / (double(pixels) * s.options.samples);
+  double done = double(begun) / s.options.samples;
+  s.recorder.stage(gpu::Stage::raster);
+  const glm::vec2 jitter = raster::jitter(s.film.samples, s.options.seed);
+  raster::rasterise(s.recorder, {s.gpu_scene, view, s.size, jitter}, s.gbuffer);
+  shading::begin_sample(s.film);
+  for (uint32_t first = 0; first < pixels; first += s.portion, done += share) {
+    s.recorder.stage(gpu::Stage::shading);
+    shading::surfaces_from_raster(s.recorder,
+                                  {s.gbuffer, s.gpu_scene, view, s.size, s.options.algorithm.ray_order, first,
+                                   std::min(s.portion, pixels - first)},
+                                  s.paths.first, s.paths.generations[0]);
+    trace_paths(s, progress, done, share);
+    shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene,
+                                     view}, s.film);
+  }
+}
+
 }  // namespace
 
 Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
   const scene::Pose pose = s.scene.pose(seconds, s.animation);
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   s.recorder.stage(gpu::Stage::raster);
+  s.placing = true;
   place_objects(s, pose);
+  s.recorder.submit();
+  s.placing = false;
   s.recorder.stage(gpu::Stage::raster);
   shading::begin_frame(s.recorder, s.film, s.size, s.options.layers);
   s.paths.generations.resize(s.options.bounces + 2);
   s.paths.gathered.resize(s.options.bounces + 2);
+  for (uint32_t sample = 0; sample < s.options.samples; ++sample) render_sample(s, view, progress, sample);
+  return shading::take_picture(s.recorder, s.film, view, s.options.background);
+}
 
-  const uint32_t pixels = s.size.width * s.size.height;
-  const double share = double(std::min(s.portion, pixels)) / (double(pixels) * s.options.samples);
-  double done = 0;
-  for (uint32_t sample = 0; sample < s.options.samples; ++sample) {
-    s.recorder.stage(gpu::Stage::raster);
-    const glm::vec2 jitter = raster::jitter(sample, s.options.seed);
-    raster::rasterise(s.recorder, {s.gpu_scene, view, s.size, jitter}, s.gbuffer);
-    shading::begin_sample(s.film);
-    for (uint32_t first = 0; first < pixels; first += s.portion, done += share) {
-      s.recorder.stage(gpu::Stage::shading);
-      shading::surfaces_from_raster(s.recorder,
-                                    {s.gbuffer, s.gpu_scene, view, s.size, s.options.algorithm.ray_order, first,
-                                     std::min(s.portion, pixels - first)},
-                                    s.paths.first, s.paths.generations[0]);
-      trace_paths(s, progress, done, share);
-      shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene,
-                                       view}, s.film);
-    }
-  }
+Picture refine_frame(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
+  const scene::Pose pose = s.scene.pose(seconds, s.animation);
+  const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
+  render_sample(s, view, progress, 0);
   return shading::take_picture(s.recorder, s.film, view, s.options.background);
 }
 

@@ -16,12 +16,14 @@ namespace crsh {
 
 /// --light x,y,z[,candela]
 struct LightOption {
+  bool operator==(const LightOption&) const = default;
   glm::vec3 position{0};
   std::optional<float> candela;  ///< none: π·d² ÷ number of such lights
 };
 
 /// --eye --target --up --fov
 struct ViewOption {
+  bool operator==(const ViewOption&) const = default;
   std::optional<glm::vec3> eye, target;
   glm::vec3 up{0, 1, 0};
   std::optional<float> fov_degrees;  ///< vertical
@@ -35,6 +37,7 @@ enum class Tracing { nodes, brute, single_rays, ray_query };
 
 /// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
 struct AlgorithmOptions {
+  bool operator==(const AlgorithmOptions&) const = default;
   std::string preset = "crsh";
   Tracing tracing = Tracing::nodes;           ///< brute: every ray against every triangle. Unless nodes: no switch matters
   bool object_hierarchy = false;             ///< there is one over the triangles (objects/)
@@ -60,11 +63,13 @@ struct AlgorithmOptions {
 inline constexpr const char* ray_query_preset = "ray-query";
 
 struct RenderOptions {
+  bool operator==(const RenderOptions&) const = default;
   uint32_t width = 0, height = 512;  ///< width 0: from the camera's aspect
   uint32_t samples = 1, seed = 0, bounces = 4;
   std::optional<glm::vec3> background = glm::vec3(0);  ///< none: transparent
   std::string scene, camera, animation;                ///< index or name; empty: the default
   ViewOption view;
+  std::vector<std::string> hidden;                     ///< instances that are left out, by index or name (scene/hide.h)
   std::vector<LightOption> lights;                     ///< not empty: they replace the file's
   std::array<bool, kind_count> rays = {true, true, true};
   bool override_mirror = false;

@@ -60,25 +60,36 @@ bool all_plain(const scene::Scene& scene) {
   return true;
 }
 
-void load(Renderer::State& s) {
-  if (s.options.algorithm.tracing == Tracing::ray_query) objects::require_ray_queries(s.device);
-  s.animation = animation_of(s.scene, s.options.animation);
-  const scene::Pose pose = s.scene.pose(0, s.animation);
-  s.first_bounds = s.scene.bounds(pose);
-  s.size = raster::image_size(s.scene, s.options);
-  s.options.width = s.size.width;
-  s.options.height = s.size.height;
-  const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
-  s.lights = scene::resolve_lights(s.scene, s.options.lights, s.first_bounds, {view.eye, view.right, view.up});
-  s.gpu_scene = scene::upload(s.device, s.scene);
-  s.plain = all_plain(s.scene);
-  s.counters.emplace(s.device, s.options.bounces);
-  s.notes.insert(s.notes.end(), s.lights.notes.begin(), s.lights.notes.end());
+/// Everything that hangs on the options and not only on the scene. Throws before anything is changed.
+void apply(Renderer::State& s, RenderOptions options) {
+  if (options.algorithm.tracing == Tracing::ray_query) objects::require_ray_queries(s.device);
+  const std::optional<uint32_t> animation = animation_of(s.scene, options.animation);
+  const scene::Pose pose = s.scene.pose(0, animation);
+  const scene::Bounds bounds = s.scene.bounds(pose);
+  const raster::ImageSize size = raster::image_size(s.scene, options);
+  options.width = size.width;
+  options.height = size.height;
+  const raster::CameraView view = raster::camera_view(s.scene, pose, options, bounds, size);
+  scene::LightRig lights = scene::resolve_lights(s.scene, options.lights, bounds, {view.eye, view.right, view.up});
+  if (!s.counters || options.bounces != s.options.bounces) s.counters.emplace(s.device, options.bounces);
+  s.animation = animation;
+  s.first_bounds = bounds;
+  s.size = size;
+  s.lights = std::move(lights);
+  s.options = std::move(options);
+  s.notes = s.lights.notes;
   s.notes.insert(s.notes.end(), s.gpu_scene.notes.begin(), s.gpu_scene.notes.end());
+  s.statistics = {};
   s.statistics.triangles = s.gpu_scene.triangle_count;
   s.statistics.meshes = s.scene.meshes.size();
   s.statistics.instances = s.scene.instances.size();
   s.statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
+}
+
+void load(Renderer::State& s) {
+  s.gpu_scene = scene::upload(s.device, s.scene);
+  s.plain = all_plain(s.scene);
+  apply(s, s.options);
 }
 
 /// Everything that grew while frames were rendered is given back.
@@ -93,6 +104,7 @@ using Frame = std::function<void()>;
 
 /// One try at a frame: counters, times and rays start from nothing, so that a second try counts nothing twice.
 void attempt(Renderer::State& s, const Frame& frame) {
+  s.placing = false;
   s.frame_statistics = {};
   s.frame_statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
   if (s.dump) *s.dump = {};
@@ -205,6 +217,23 @@ Picture Renderer::render(double seconds, const Progress& progress, RayTable* dum
 void Renderer::replay(const RayTable& rays, double seconds, RayTable* dump) {
   state_->dump = dump;
   run(*state_, [&] { replay_rays(*state_, rays, seconds); });
+}
+
+Picture Renderer::refine(double seconds, const Progress& progress) {
+  Picture picture;
+  state_->dump = nullptr;
+  attempt(*state_, [&] { picture = refine_frame(*state_, seconds, progress); });
+  finish(*state_);
+  return picture;
+}
+
+void Renderer::change(const RenderOptions& options) { apply(*state_, options); }
+
+void Renderer::on_submit(std::function<void()> call) { 
+  if (!call) return state_->recorder.on_submit({});
+  state_->recorder.on_submit([this, call = std::move(call)] {
+    if (!state_->placing) call();
+  });
 }
 
 const Statistics& Renderer::statistics() const { return state_->statistics; }

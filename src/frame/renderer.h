@@ -32,6 +32,15 @@ class Renderer {
   /// `dump`, if any, becomes the same table, row by row, with what has become of the rays here.
   void replay(const RayTable& rays, double seconds, RayTable* dump = nullptr);
 
+  /// Adds one sample to the picture that render() made last, of the same `seconds`: what render() would make of one
+  /// more --samples, bit for bit. Not after a render() or refine() that threw.
+  [[nodiscard]] Picture refine(double seconds, const Progress& progress = {});
+  /// Other options for the same scene, as if it were a new Renderer, but for --max-memory; statistics begin anew. Throws
+  /// UserError, and then the old options stay.
+  void change(const RenderOptions& options);
+  /// Called before the device is given work; may throw to cancel render() and refine(), after which render() is right again.
+  void on_submit(std::function<void()> call);
+
   /// Counters and times of all frames so far.
   [[nodiscard]] const Statistics& statistics() const;
   /// Every effective option, the image's final size included.

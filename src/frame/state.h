@@ -65,6 +65,7 @@ struct Renderer::State {
   scene::GpuScene gpu_scene;
   objects::Hierarchy objects;             ///< where the algorithm wants one
   objects::DeviceHierarchy device_objects;  ///< the device's own, where the algorithm wants that
+  bool placing = false;                   ///< objects are being placed: not to be left half-way
   bool plain = false;                     ///< every triangle blocks, from either side
   std::optional<Counters> counters;
   raster::GBuffer gbuffer;
@@ -84,6 +85,9 @@ struct PortionTooLarge {};
 
 /// One frame, as Figure 1 has it (frame.cpp). Counts go to state.frame_statistics.
 [[nodiscard]] Picture render_frame(Renderer::State& state, double seconds, const Renderer::Progress& progress);
+
+/// One more sample on the film of render_frame, in the same pose and view: the picture of all its samples.
+[[nodiscard]] Picture refine_frame(Renderer::State& state, double seconds, const Renderer::Progress& progress);
 
 /// Steps 4 to 6 on rays of a table in place of a frame's (replay.cpp). Counts go to state.frame_statistics.
 void replay_rays(Renderer::State& state, const RayTable& rays, double seconds);

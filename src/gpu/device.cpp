@@ -32,7 +32,7 @@ Device::Device() = default;
 // By way of the private constructor, so that the destructor runs when a later step throws.
 Device::Device(const DeviceRequest& request) : Device() {
   request_ = request;
-  instance_ = std::make_unique<Instance>(request.validation);
+  instance_ = std::make_unique<Instance>(request.validation, request.window_extensions);
   const std::vector<VkPhysicalDevice> devices = instance_->devices();
   const std::vector<DeviceInfo> infos = describe_all(devices);
   const uint32_t index = select_device(infos, request.selector);
@@ -80,8 +80,11 @@ void Device::create_device() {
   info.pNext = &v12;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
-  info.enabledExtensionCount = info_.ray_queries ? uint32_t(ray_query_extensions.size()) : 0;
-  info.ppEnabledExtensionNames = ray_query_extensions.data();
+  std::vector<const char*> extensions;
+  if (info_.ray_queries) extensions.assign(ray_query_extensions.begin(), ray_query_extensions.end());
+  if (!request_.window_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  info.enabledExtensionCount = uint32_t(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
   check(vkCreateDevice(physical_, &info, nullptr, &device_), "opening the device");
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
 }
@@ -89,6 +92,20 @@ void Device::create_device() {
 VkInstance Device::instance() const { return instance_->handle(); }
 
 uint64_t Device::validation_messages() const { return instance_->messages(); }
+
+void Device::forget_programs() { programs_.clear(); }
+
+void Device::wait_idle() {
+  const std::lock_guard lock(queue_mutex_);
+  check(vkDeviceWaitIdle(device_), "waiting for the device");
+}
+
+std::vector<std::string> Device::programs_in_use() const {
+  std::vector<std::string> names;
+  for (const auto& [key, program] : programs_) names.push_back(program->name() + ".comp");
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
 
 uint64_t Device::available_bytes() const {
   if (request_.memory_budget == 0) return UINT64_MAX;
@@ -136,6 +153,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements, bool h
   VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};
   flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
   if (info_.ray_queries) info.pNext = &flags;
+  const std::lock_guard lock(account_mutex_);
   const uint64_t before = peak_;
   if (!host_visible) account(requirements.size, memory_.memoryTypes[info.memoryTypeIndex].heapIndex, name);
   VkDeviceMemory memory = VK_NULL_HANDLE;
@@ -151,6 +169,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements, bool h
 void Device::release(VkDeviceMemory memory, uint64_t counted) {
   if (!memory) return;
   vkFreeMemory(device_, memory, nullptr);
+  const std::lock_guard lock(account_mutex_);
   CRSH_ASSERT(counted <= allocated_, "more memory was released than allocated");
   allocated_ -= counted;
 }

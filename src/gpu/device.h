@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,7 @@ struct DeviceRequest {
   bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
   bool no_ray_queries = false;  ///< as if the device had none (tests of what other devices do)
   bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
+  std::vector<std::string> window_extensions;  ///< of the instance, as the window system asks for them; empty: no window
   uint64_t first_capacity = 0;  ///< growing buffers start with so many bytes (tests); 0: what is asked for
 };
 
@@ -82,6 +84,10 @@ class Device {
   [[nodiscard]] const char* lanes() const {
     return info_.software && info_.shuffles && !request_.walk_alone ? "" : "-alone";
   }
+  /// Pipelines are made anew at their next use. None may be in use.
+  void forget_programs();
+  /// Names of the compute shaders in use: "coherence/trim.comp".
+  [[nodiscard]] std::vector<std::string> programs_in_use() const;
   /// Validation messages of severity warning or error since the device was made.
   [[nodiscard]] uint64_t validation_messages() const;
 
@@ -93,6 +99,10 @@ class Device {
   [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
   [[nodiscard]] VkInstance instance() const;
   [[nodiscard]] VkQueue queue() const { return queue_; }
+  /// Held while anything is given to the queue: a window presents from another thread than the one that renders.
+  [[nodiscard]] std::mutex& queue_mutex() { return queue_mutex_; }
+  /// Until everything given to the queue is done.
+  void wait_idle();
   [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
   /// The one-off copies of upload_bytes and download_bytes.
   [[nodiscard]] Transfer& transfer() { return *transfer_; }
@@ -124,6 +134,7 @@ class Device {
   uint32_t queue_family_ = 0;
   VkPhysicalDeviceMemoryProperties memory_{};
   uint64_t allocated_ = 0, peak_ = 0;
+  std::mutex queue_mutex_, account_mutex_;
   PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
   PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;

@@ -47,7 +47,7 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info(std::atomic<uint64_t>* counter
 
 }  // namespace
 
-Instance::Instance(bool validation) {
+Instance::Instance(bool validation, const std::vector<std::string>& window_extensions) {
   if (validation) require_validation_layer();
   const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
   const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(&messages_);
@@ -55,7 +55,8 @@ Instance::Instance(bool validation) {
   features.pNext = &messenger;
   features.enabledValidationFeatureCount = 1;
   features.pEnabledValidationFeatures = &synchronisation;
-  const char* const extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+  std::vector<const char*> extensions;
+  for (const std::string& name : window_extensions) extensions.push_back(name.c_str());
 
   VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO};
   application.pApplicationName = "crsh";
@@ -66,9 +67,11 @@ Instance::Instance(bool validation) {
     info.pNext = &features;
     info.enabledLayerCount = 1;
     info.ppEnabledLayerNames = &validation_layer;
-    info.enabledExtensionCount = 2;
-    info.ppEnabledExtensionNames = extensions;
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
   }
+  info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw_no_device();
   check(result, "starting Vulkan");

@@ -16,7 +16,8 @@ namespace crsh::gpu {
 /// Owns the VkInstance; with validation also the layer and the messenger that prints and counts its messages.
 class Instance {
  public:
-  explicit Instance(bool validation);
+  /// `window_extensions`: what the window system asks for.
+  explicit Instance(bool validation, const std::vector<std::string>& window_extensions = {});
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

@@ -162,8 +162,21 @@ void Recorder::copy(const Image& source, const Buffer& target) {
   submission_.barrier();
 }
 
+void Recorder::ask_before_submit() {
+  if (!before_submit_) return;
+  try {
+    before_submit_();
+  } catch (...) {
+    submission_.abandon();
+    descriptors_.reset();
+    work_ = 0;
+    throw;
+  }
+}
+
 void Recorder::submit() {
   if (!submission_.recording()) return;
+  ask_before_submit();
   profiler_.end(submission_.commands());
   submission_.submit("rendering");
   profiler_.collect();

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <string_view>
@@ -72,6 +73,9 @@ class Recorder {
   /// A colour image's pixels, row by row, to the start of `target`.
   void copy(const Image& source, const Buffer& target);
 
+  /// Called before every submit from here on; may throw to leave what is under way: then what is
+  /// recorded is dropped. Empty: nothing is called.
+  void on_submit(std::function<void()> call) { before_submit_ = std::move(call); }
   /// Submits what is recorded, if anything, and waits. Timestamps go to the profiler. Device lost throws a UserError.
   void submit();
   /// Submits when the recorded work has reached `bound` (--submit-work).
@@ -103,6 +107,7 @@ class Recorder {
                   Bytes push, Arguments arguments);
   void read_bytes(const Buffer& buffer, uint64_t offset, void* data, uint64_t bytes);
   void begin();
+  void ask_before_submit();
   /// Binds pipeline, arguments and push constants, asserting that they are what the shader declares.
   void bind(VkPipelineBindPoint point, VkPipeline pipeline, const PipelineLayout& layout, const Reflection& reflection,
             Bytes push, Arguments arguments, std::string_view name);
@@ -113,6 +118,7 @@ class Recorder {
   Profiler profiler_;
   Descriptors descriptors_;
   Buffer staging_;  ///< host-visible, for read_bytes
+  std::function<void()> before_submit_;
   uint64_t work_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "gpu/submission.h"
 
+#include <mutex>
+
 namespace crsh::gpu {
 
 Submission::Submission(Device& device, int) : device_(device) {}
@@ -39,7 +41,10 @@ void Submission::submit(const char* doing) {
   VkSubmitInfo2 info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
   info.commandBufferInfoCount = 1;
   info.pCommandBufferInfos = &commands;
-  check(vkQueueSubmit2(device_.queue(), 1, &info, fence_), doing);
+  {
+    const std::lock_guard lock(device_.queue_mutex());
+    check(vkQueueSubmit2(device_.queue(), 1, &info, fence_), doing);
+  }
   check(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX), doing);
   check(vkResetFences(device_.handle(), 1, &fence_), doing);
 }

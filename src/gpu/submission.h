@@ -19,6 +19,8 @@ class Submission {
   [[nodiscard]] bool recording() const { return recording_; }
   /// Drops what was recorded and starts anew.
   void begin();
+  /// Drops what was recorded.
+  void abandon() { recording_ = false; }
   /// Submits and waits. `doing` is for the error's sentence.
   void submit(const char* doing);
   /// A full memory barrier: everything written before is visible to everything after, reads by the host included.

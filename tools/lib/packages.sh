@@ -8,11 +8,11 @@ build_packages=(
   g++ cmake ninja-build ccache
   libvulkan-dev glslang-tools spirv-headers mesa-vulkan-drivers
   libopenexr-dev libzip-dev libstb-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  doctest-dev
+  libglfw3-dev libimgui-dev doctest-dev
 )
 
 # What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display.
-test_packages=(vulkan-validationlayers libembree-dev python3-numpy openimageio-tools xvfb xauth)
+test_packages=(vulkan-validationlayers libembree-dev python3-numpy openimageio-tools xvfb xauth openbox)
 
 # Prints those of the packages that are not installed.
 missing_packages() {

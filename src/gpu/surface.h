@@ -1,0 +1,35 @@
+#pragma once
+// What a window offers to present to.
+
+#include <vulkan/vulkan.h>
+
+#include <functional>
+#include <vector>
+
+#include "gpu/device.h"
+
+namespace crsh::gpu {
+
+/// Owns the VkSurfaceKHR that the window system made for the instance of `device`.
+class Surface {
+ public:
+  /// `make(instance, surface)` is the window system's. Throws UserError where the device cannot show windows.
+  Surface(Device& device, const std::function<VkResult(VkInstance, VkSurfaceKHR*)>& make);
+  ~Surface();
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  [[nodiscard]] VkSurfaceKHR handle() const { return surface_; }
+  [[nodiscard]] VkSurfaceCapabilitiesKHR capabilities() const;
+  /// Eight bits a channel; the values that are written are taken for sRGB.
+  [[nodiscard]] VkSurfaceFormatKHR format() const;
+
+ private:
+  Surface(Device& device);
+  void require_support() const;
+
+  Device& device_;
+  VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+};
+
+}  // namespace crsh::gpu

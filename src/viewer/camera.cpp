@@ -1,0 +1,97 @@
+#include "viewer/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace crsh::viewer {
+namespace {
+
+constexpr float pi = float(std::numbers::pi), right_angle = pi / 2;
+constexpr float turn_a_height = pi;            // radians that a drag over the image's height turns
+constexpr float steep = right_angle * 0.995f;  // beyond, what is upright no longer says how the image lies
+constexpr float least_distance = 1e-4f, most_distance = 1e7f;
+
+/// Any two axes to go with `up`; those of glTF where it is theirs.
+glm::mat3 basis_of(glm::vec3 up) {
+  up = glm::length(up) > 0 ? glm::normalize(up) : glm::vec3(0, 1, 0);
+  const glm::vec3 near_back = std::abs(up.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, -1, 0);
+  const glm::vec3 right = glm::normalize(glm::cross(up, near_back));
+  return {right, up, glm::cross(right, up)};
+}
+
+}  // namespace
+
+glm::vec3 OrbitCamera::back() const {
+  return basis * glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+}
+
+glm::vec3 OrbitCamera::right() const { return basis * glm::vec3(std::cos(yaw), 0, -std::sin(yaw)); }
+glm::vec3 OrbitCamera::up() const { return glm::cross(back(), right()); }
+
+ViewOption OrbitCamera::view() const {
+  ViewOption view;
+  view.eye = eye();
+  view.target = pivot;
+  view.up = std::abs(pitch) > steep ? up() : basis[1];
+  view.fov_degrees = std::clamp(glm::degrees(2 * std::atan(half_height)), 0.01f, 179.9f);
+  return view;
+}
+
+glm::vec3 OrbitCamera::direction(glm::vec2 place, float aspect) const {
+  return glm::normalize(right() * (place.x * half_height * aspect) + up() * (place.y * half_height) - back());
+}
+
+void OrbitCamera::orbit(glm::vec2 by) {
+  yaw = std::remainder(yaw - by.x * turn_a_height, 2 * pi);
+  pitch = std::clamp(pitch + by.y * turn_a_height, -right_angle, right_angle);
+}
+
+void OrbitCamera::pan(glm::vec2 by) {
+  const float height = 2 * half_height * distance;
+  pivot += (up() * by.y - right() * by.x) * height;
+}
+
+void OrbitCamera::zoom(float factor, glm::vec2 place, float aspect) {
+  const float wanted = std::clamp(distance * factor, least_distance, most_distance);
+  const glm::vec3 at = pivot + (right() * (place.x * aspect) + up() * place.y) * (half_height * distance);
+  pivot = at + (pivot - at) * (wanted / distance);
+  distance = wanted;
+}
+
+void OrbitCamera::fly(glm::vec3 by) { pivot += right() * by.x + up() * by.y - back() * by.z; }
+
+void OrbitCamera::look_at(glm::vec3 point) {
+  const glm::vec3 from = eye(), away = from - point;
+  const float length = glm::length(away);
+  if (!(length > least_distance)) return;
+  const glm::vec3 side = glm::transpose(basis) * (away / length);
+  pivot = point;
+  distance = length;
+  pitch = std::asin(std::clamp(side.y, -1.0f, 1.0f));
+  if (std::abs(pitch) < steep) yaw = std::atan2(side.x, side.z);
+}
+
+void OrbitCamera::turn_to(float new_yaw, float new_pitch) { yaw = new_yaw, pitch = new_pitch; }
+
+void OrbitCamera::frame(const scene::Bounds& bounds, float aspect) {
+  if (bounds.empty()) return;
+  const float radius = std::max(glm::length(bounds.high - bounds.low) * 0.5f, least_distance);
+  pivot = (bounds.low + bounds.high) * 0.5f;
+  distance = 1.02f * radius / std::sin(std::atan(half_height * std::min(aspect, 1.0f)));
+}
+
+OrbitCamera orbit_of(const raster::CameraView& view, float distance, glm::vec3 up) {
+  OrbitCamera camera;
+  camera.basis = basis_of(up);
+  camera.half_height = view.orthographic ? view.half_height / distance : view.half_height;
+  camera.distance = distance;
+  camera.pivot = view.eye + view.forward * distance;
+  const glm::vec3 side = glm::transpose(camera.basis) * -view.forward;
+  camera.pitch = std::asin(std::clamp(side.y, -1.0f, 1.0f));
+  const glm::vec3 across = glm::transpose(camera.basis) * view.right;
+  camera.yaw = std::abs(camera.pitch) < steep ? std::atan2(side.x, side.z) : std::atan2(-across.z, across.x);
+  return camera;
+}
+
+}  // namespace crsh::viewer

@@ -1,0 +1,32 @@
+#pragma once
+// What the pointer and the keys do to the view.
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "viewer/model.h"
+#include "viewer/panels.h"
+#include "viewer/window.h"
+
+namespace crsh::viewer {
+
+/// What a key asks for that is not the view's.
+enum class Action { save_png, save_exr, copy_command };
+
+class Input {
+ public:
+  /// Within a frame of ImGui's. Returns what is to be done besides.
+  std::vector<Action> handle(Model& model, Window& window, const Layout& layout);
+
+ private:
+  enum class Drag { none, orbit, pan, split };
+
+  void handle_pointer(Model& model, const Window& window, const Layout& layout);
+  void begin_drag(const Model& model, const Window& window, const Layout& layout);
+  void drag(Model& model, const Layout& layout) const;
+  static void handle_key(Model& model, const KeyPress& press, std::vector<Action>& actions);
+
+  Drag drag_ = Drag::none;
+};
+
+}  // namespace crsh::viewer

@@ -1,0 +1,67 @@
+#pragma once
+// What the window wants, and what it gets: all that the window's thread and the renderer's say to each other.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/options.h"
+#include "frame/picture.h"
+#include "frame/statistics.h"
+#include "scene/scene.h"
+
+namespace crsh::viewer {
+
+/// The picture that is wanted.
+struct Wish {
+  bool operator==(const Wish&) const = default;
+  std::filesystem::path path;
+  std::string which;      ///< of the file's scenes
+  uint64_t load = 0;      ///< another number than the last: the file is to be loaded
+  uint64_t scene = 0;     ///< number of the load that `options` are for
+  RenderOptions options;  ///< size and layers included; one sample
+  double seconds = 0;
+  bool moving = false;                    ///< coarse and quick, else fine
+  float budget_ms = 50;                   ///< of a coarse frame
+  uint32_t most_samples = 1;              ///< of a fine one
+  std::optional<AlgorithmOptions> other;  ///< a second picture, by this algorithm
+  std::optional<uint32_t> order_kind;     ///< hash order of the first bounce's rays of this kind
+  std::optional<uint32_t> nodes_kind;     ///< nodes over them
+};
+
+/// A picture and how it came about.
+struct Shown {
+  Picture picture;
+  RenderOptions options;  ///< samples: those that it has
+  double seconds = 0;
+  bool fine = false;        ///< of the wanted size
+  Statistics statistics;    ///< of its last sample
+  double milliseconds = 0;  ///< that this took, on the clock
+  uint64_t scene = 0;       ///< number of its load
+  uint64_t wish = 0;        ///< number of the wish that it fulfils
+  uint64_t serial = 0;      ///< another one a picture
+};
+using ShownPtr = std::shared_ptr<const Shown>;
+
+struct LoadedScene {
+  uint64_t number = 0;
+  scene::Scene scene;
+};
+using LoadedPtr = std::shared_ptr<const LoadedScene>;
+
+/// What the renderer's thread has to say.
+struct News {
+  LoadedPtr loaded;           ///< the scene that is there; null: none yet
+  ShownPtr left, right;       ///< of that scene; right: by the other algorithm
+  std::string phase;          ///< "reading scene.glb"; empty: nothing that takes long
+  double done = 0;            ///< of the phase, 0 to 1
+  std::string error;          ///< a line; empty: none
+  uint64_t error_number = 0;  ///< another one for each error
+  bool rests = false;         ///< the wish is fulfilled, all samples included
+  uint64_t device_bytes = 0;
+};
+
+}  // namespace crsh::viewer

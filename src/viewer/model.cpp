@@ -1,0 +1,179 @@
+#include "viewer/model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "error.h"
+#include "output/exposure.h"
+#include "raster/camera.h"
+#include "scene/hide.h"
+#include "scene/world_lights.h"
+
+namespace crsh::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr auto rests_after = 200ms;
+constexpr size_t history = 48;  // pictures
+
+/// The options that belong to one scene are the new one's defaults again.
+void forget_scene(RenderOptions& options) {
+  const RenderOptions fresh;
+  options.scene = fresh.scene, options.camera = fresh.camera, options.animation = fresh.animation;
+  options.view = fresh.view, options.lights = fresh.lights, options.hidden = fresh.hidden;
+}
+
+raster::CameraView view_of(const Model& m) {
+  const std::optional<uint32_t> animation = m.animation();
+  RenderOptions options = m.command.options;
+  options.width = std::max(m.area.width, 1u), options.height = std::max(m.area.height, 1u);
+  return raster::camera_view(*m.scene(), m.scene()->pose(m.seconds, animation), options, m.bounds,
+                             {options.width, options.height});
+}
+
+/// Every light with its intensity, so that what is chosen for this view stays when the view changes.
+void settle_lights(Model& m) {
+  std::vector<LightOption>& lights = m.command.options.lights;
+  const raster::CameraView view = view_of(m);
+  const scene::LightRig rig = scene::resolve_lights(*m.scene(), lights, m.bounds, {view.eye, view.right, view.up});
+  lights.clear();
+  for (const shared::Light& light : rig.fixed) lights.push_back({glm::vec3(light.position), light.colour.x});
+}
+
+float usual_distance(const Model& m, const raster::CameraView& view) {
+  if (m.bounds.empty()) return 1;
+  const float radius = glm::length(m.bounds.high - m.bounds.low) * 0.5f;
+  const float along = glm::dot((m.bounds.low + m.bounds.high) * 0.5f - view.eye, view.forward);
+  return std::max(along, std::max(radius * 0.1f, 1e-3f));
+}
+
+}  // namespace
+
+Model::Model(const Arguments& given) : arguments(given), command(given.render), other(preset("bvh")) {
+  seconds = given.render.seconds.value_or(0);
+  if (!given.render.scene.empty()) path = given.render.scene, load = 1;
+}
+
+std::optional<uint32_t> Model::animation() const {
+  if (!scene() || scene()->animations.empty()) return {};
+  const std::string& which = command.options.animation;
+  for (uint32_t i = 0; i < scene()->animations.size(); ++i)
+    if (which == scene()->animations[i].name || which == std::to_string(i)) return i;
+  return 0;
+}
+
+void Model::say(const std::string& text, bool error) {
+  messages.push_back({text, error, Clock::now() + (error ? 12s : 5s)});
+  if (messages.size() > 4) messages.erase(messages.begin());
+}
+
+void Model::open(const std::string& new_path) {
+  path = new_path;
+  ++load;
+}
+
+void Model::take(const LoadedPtr& scene_) {
+  const bool again = loaded && loaded->scene.path == scene_->scene.path;
+  const bool first = !loaded;
+  loaded = scene_;
+  if (!again && !first) {
+    forget_scene(command.options);
+    own_view = false, seconds = 0, playing = false;
+  }
+  bounds = scene()->bounds(scene()->pose(0, animation()));
+  command.scene = scene()->path.string();
+  if (again) {
+    try {
+      (void)scene::hidden_instances(*scene(), command.options.hidden);
+    } catch (const UserError&) {
+      command.options.hidden.clear();
+    }
+    return;
+  }
+  settle_lights(*this);
+  if (!scene()->unsupported.empty()) say(fmt::format("left out: {}", scene()->unsupported.front()));
+}
+
+void Model::take_pictures(const News& latest) {
+  news = latest;
+  const bool ours = news.left && loaded && news.left->scene == loaded->number;
+  left.shown = ours ? news.left : left.shown;
+  right.shown = two_pictures() ? news.right : left.shown;
+  if (!left.shown || left.shown->serial == history_serial || left.shown->statistics.frames.empty()) return;
+  history_serial = left.shown->serial;
+  const FrameTime& time = left.shown->statistics.frames.back();
+  for (size_t stage = 0; stage < gpu::stage_count; ++stage) {
+    stage_history[stage].push_back(float(time.stage_ms[stage]));
+    if (stage_history[stage].size() > history) stage_history[stage].pop_front();
+  }
+}
+
+void Model::begin_own_view() {
+  if (own_view || !scene()) return;
+  const raster::CameraView view = view_of(*this);
+  camera = orbit_of(view, usual_distance(*this, view), command.options.view.up);
+  own_view = true;
+}
+
+void Model::view_moved() { moved = Clock::now(); }
+
+void Model::next_camera() {
+  if (!scene() || scene()->cameras.empty()) return say("the scene has no cameras of its own");
+  const uint32_t count = uint32_t(scene()->cameras.size());
+  camera_index = own_view ? camera_index % count : (camera_index + 1) % count;
+  own_view = false;
+  command.options.view = {};
+  command.options.camera = std::to_string(camera_index);
+  const std::string& name = scene()->cameras[camera_index].name;
+  say(fmt::format("camera {} of {}{}", camera_index + 1, count, name.empty() ? "" : ": " + name));
+}
+
+void Model::frame_all() {
+  begin_own_view();
+  if (!scene()) return;
+  camera.frame(scene()->bounds(scene()->pose(seconds, animation())), aspect());
+  view_moved();
+}
+
+bool Model::fine() const {
+  const auto is_fine = [this](const ShownPtr& shown) { return shown && shown->fine && shown->wish == wish_number; };
+  return !wish_moves && is_fine(left.shown) && (!two_pictures() || is_fine(news.right));
+}
+
+bool Model::rests() const { return !wish_moves && news.rests && news.loaded == loaded; }
+
+double Model::exposure() const {
+  if (command.exposure || !left.shown) return command.exposure.value_or(0);
+  return output::automatic_exposure(*left.shown->picture.find(""));
+}
+
+bool Model::moving() const { return playing || Clock::now() - moved < rests_after; }
+
+Wish Model::wish() const {
+  Wish wish;
+  wish.path = path;
+  wish.which = command.options.scene;
+  wish.load = load;
+  wish.scene = loaded ? loaded->number : 0;
+  RenderOptions& options = wish.options = command.options;
+  options.width = std::max(area.width, 1u), options.height = std::max(area.height, 1u);
+  options.samples = 1;
+  options.layers = {LayerId::beauty};
+  for (const Show show : {left.show, split ? right.show : left.show})
+    for (size_t id = 0; id < layer_count; ++id)
+      if (row_of(show).layers.has(LayerId(id))) options.layers.add(LayerId(id));
+  for (size_t id = 0; exr_wanted && id < layer_count; ++id)
+    if (command.options.layers.has(LayerId(id))) options.layers.add(LayerId(id));
+  if (own_view) options.view = camera.view(), options.camera.clear();
+  wish.seconds = seconds;
+  wish.moving = moving();
+  wish.budget_ms = arguments.budget_ms;
+  wish.most_samples = arguments.most_samples;
+  if (two_pictures()) wish.other = other;
+  return wish;
+}
+
+}  // namespace crsh::viewer

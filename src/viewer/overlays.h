@@ -1,0 +1,12 @@
+#pragma once
+// What is drawn above the picture: the line between two, the heat scale, and later bounds and nodes.
+
+#include "viewer/model.h"
+#include "viewer/panels.h"
+
+namespace crsh::viewer {
+
+/// `heat`: what the heat scale ends at.
+void draw_overlays(const Model& model, const Layout& layout, double heat);
+
+}  // namespace crsh::viewer

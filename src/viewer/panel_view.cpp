@@ -1,0 +1,56 @@
+// What is shown, and how.
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "rays/kinds.h"
+#include "viewer/panels.h"
+
+namespace crsh::viewer {
+namespace {
+
+std::vector<std::string> show_names() {
+  std::vector<std::string> names;
+  for (const ShowRow& row : show_table()) names.emplace_back(row.name);
+  return names;
+}
+
+void choose_show(Widgets& widgets, const std::string& name, const char* label, Show& show) {
+  static const std::vector<std::string> names = show_names();
+  std::string chosen;
+  if (widgets.choice(name, label, std::string(row_of(show).name), names, chosen))
+    show = static_cast<Show>(std::ranges::find(names, chosen) - names.begin());
+  widgets.hint(std::string(row_of(show).help));
+}
+
+void choose_split(Model& model, Widgets& widgets) {
+  if (widgets.check("split", "Compare side by side", model.split) && model.split) model.right.show = model.left.show;
+  widgets.hint("Drag the line between the two in the picture");
+  if (!model.split) return;
+  choose_show(widgets, "right show", "Right: show", model.right.show);
+  std::string chosen;
+  if (widgets.choice("right algorithm", "algorithm", model.other.preset, preset_names(), chosen))
+    model.other = preset(chosen);
+}
+
+void choose_exposure(Model& model, Widgets& widgets) {
+  float stops = model.command.exposure.value_or(0);
+  if (widgets.real("exposure", "Exposure", stops, -10, 10, "%.1f stops")) model.command.exposure = stops;
+}
+
+}  // namespace
+
+void draw_view_section(Model& model, Widgets& widgets) {
+  if (!widgets.header("View", "View", true)) return;
+  choose_show(widgets, "show", "Show", model.left.show);
+  choose_split(model, widgets);
+  choose_exposure(model, widgets);
+  if (widgets.button("frame", "Frame all")) model.frame_all();
+  ImGui::SameLine();
+  if (widgets.button("camera", "Next camera")) model.next_camera(), model.view_moved();
+  ImGui::SameLine();
+  if (widgets.button("help", "Keys")) model.keys_help = !model.keys_help;
+}
+
+}  // namespace crsh::viewer

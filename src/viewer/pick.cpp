@@ -1,0 +1,49 @@
+#include "viewer/pick.h"
+
+#include <cmath>
+#include <limits>
+
+namespace crsh::viewer {
+namespace {
+
+struct Ray {
+  glm::vec3 origin, direction;
+};
+
+bool meets(const scene::Sphere& sphere, const Ray& ray) {
+  const glm::vec3 to = sphere.centre - ray.origin;
+  const float along = glm::dot(to, ray.direction) / glm::dot(ray.direction, ray.direction);
+  const glm::vec3 off = to - ray.direction * along;
+  return glm::dot(off, off) <= sphere.radius * sphere.radius * 1.01f;
+}
+
+/// Möller and Trumbore 1997; infinity for a miss.
+float distance_to(const Ray& ray, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+  constexpr float nothing = std::numeric_limits<float>::infinity();
+  const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
+  const float determinant = glm::dot(ab, p);
+  if (determinant == 0) return nothing;
+  const glm::vec3 from = ray.origin - a, q = glm::cross(from, ab);
+  const float u = glm::dot(from, p) / determinant, v = glm::dot(ray.direction, q) / determinant;
+  const float t = glm::dot(ac, q) / determinant;
+  return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : nothing;
+}
+
+}  // namespace
+
+std::optional<glm::vec3> pick(const scene::Scene& scene, const scene::Pose& pose, const std::vector<bool>& hidden,
+                              glm::vec3 origin, glm::vec3 direction) {
+  float nearest = std::numeric_limits<float>::infinity();
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+    const glm::mat4 inverse = glm::inverse(pose.instances[i]);  // not finite where it is flat: then nothing is met
+    const Ray ray{glm::vec3(inverse * glm::vec4(origin, 1)), glm::vec3(inverse * glm::vec4(direction, 0))};
+    if (hidden[i] || !meets(mesh.sphere, ray)) continue;
+    for (const glm::uvec3& t : mesh.triangles)
+      nearest = std::min(nearest, distance_to(ray, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+  }
+  if (!std::isfinite(nearest)) return {};
+  return origin + direction * nearest;
+}
+
+}  // namespace crsh::viewer

@@ -1,0 +1,185 @@
+#include "viewer/show.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/heat_map.h"
+#include "output/png.h"
+
+namespace crsh::viewer {
+namespace {
+
+/// srgb_byte of 0..1 in 65536 steps: much finer than a byte also where the curve is steepest.
+uint8_t quick_srgb(float linear) {
+  static const std::vector<uint8_t> bytes = [] {
+    std::vector<uint8_t> made(65536);
+    for (size_t i = 0; i < made.size(); ++i) made[i] = output::srgb_byte(double(i) / 65535);
+    return made;
+  }();
+  return bytes[static_cast<size_t>(linear > 0 ? std::min(linear, 1.0f) * 65535.0f + 0.5f : 0.0f)];
+}
+
+struct Colour {
+  uint8_t r = 0, g = 0, b = 0;
+};
+
+/// A colour a pixel by `colour(pixel)`.
+template <class Of>
+Pixels paint(const Picture& picture, Of colour) {
+  Pixels pixels{picture.width, picture.height, {}};
+  const size_t count = size_t(picture.width) * picture.height;
+  pixels.rgba.resize(4 * count);
+  for (size_t p = 0; p < count; ++p) {
+    const Colour c = colour(p);
+    pixels.rgba[4 * p] = c.r, pixels.rgba[4 * p + 1] = c.g, pixels.rgba[4 * p + 2] = c.b, pixels.rgba[4 * p + 3] = 255;
+  }
+  return pixels;
+}
+
+Pixels black(const Picture& picture) {
+  return paint(picture, [](size_t) { return Colour{}; });
+}
+
+Pixels light(const Picture& picture, double exposure) {
+  const Layer& beauty = *picture.find("");
+  const float scale = float(std::exp2(exposure));
+  return paint(picture, [&](size_t p) {
+    const float* c = &beauty.values[4 * p];
+    return Colour{quick_srgb(c[0] * scale), quick_srgb(c[1] * scale), quick_srgb(c[2] * scale)};
+  });
+}
+
+/// All tests, or those of one kind.
+std::vector<float> tests_of(const Picture& picture, Show show) {
+  if (show == Show::tests) return output::tests_of(picture);
+  const LayerId id = show == Show::triangle_tests ? LayerId::triangle_tests
+                     : show == Show::node_tests   ? LayerId::node_tests
+                                                  : LayerId::object_tests;
+  const Layer* layer = picture.find(picture_layer(id));
+  return layer ? layer->values : std::vector<float>();
+}
+
+Pixels heat(const Picture& picture, Show show, double end) {
+  const std::vector<float> tests = tests_of(picture, show);
+  if (tests.empty()) return black(picture);
+  return paint(picture, [&](size_t p) {
+    const auto rgb = output::heat_colour(double(tests[p]) / end);
+    return Colour{rgb[0], rgb[1], rgb[2]};
+  });
+}
+
+uint8_t byte_of(float share) { return static_cast<uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); }
+
+/// Each axis between its least and greatest value in the picture, where anything is.
+Pixels positions(const Picture& picture, const Layer& layer) {
+  float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+  const auto is_hit = [&](size_t p) {
+    return layer.values[3 * p] != 0 || layer.values[3 * p + 1] != 0 || layer.values[3 * p + 2] != 0;
+  };
+  for (size_t p = 0; p < layer.values.size() / 3; ++p)
+    for (size_t c = 0; c < 3 && is_hit(p); ++c) {
+      low[c] = std::min(low[c], layer.values[3 * p + c]);
+      high[c] = std::max(high[c], layer.values[3 * p + c]);
+    }
+  return paint(picture, [&](size_t p) {
+    if (!is_hit(p)) return Colour{};
+    const auto share = [&](size_t c) {
+      return byte_of((layer.values[3 * p + c] - low[c]) / std::max(high[c] - low[c], 1e-12f));
+    };
+    return Colour{share(0), share(1), share(2)};
+  });
+}
+
+Pixels normals(const Picture& picture, const Layer& layer) {
+  return paint(picture, [&](size_t p) {
+    const float* n = &layer.values[3 * p];
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0) return Colour{};
+    return Colour{byte_of(n[0] * 0.5f + 0.5f), byte_of(n[1] * 0.5f + 0.5f), byte_of(n[2] * 0.5f + 0.5f)};
+  });
+}
+
+Pixels albedo(const Picture& picture, const Layer& layer) {
+  return paint(picture, [&](size_t p) {
+    const float* c = &layer.values[3 * p];
+    return Colour{quick_srgb(c[0]), quick_srgb(c[1]), quick_srgb(c[2])};
+  });
+}
+
+/// Near is bright, in steps of equal ratio: near things and far ones have room on it.
+Pixels depth(const Picture& picture, const Layer& layer) {
+  float low = INFINITY, high = 0;
+  for (const float z : layer.values)
+    if (z > 0 && z < 1e9f) low = std::min(low, z), high = std::max(high, z);
+  const float extent = std::max(std::log(high / low), 1e-6f);
+  return paint(picture, [&](size_t p) {
+    const float z = layer.values[p];
+    if (!(z < 1e9f)) return Colour{};
+    const uint8_t grey = byte_of(1 - 0.9f * std::log(std::max(z, low) / low) / extent);
+    return Colour{grey, grey, grey};
+  });
+}
+
+/// Colours that neighbours in number do not share: the hue turns by the golden ratio.
+Pixels numbers(const Picture& picture, const Layer& layer) {
+  return paint(picture, [&](size_t p) {
+    const uint32_t id = layer.ids[p];
+    if (id == 0) return Colour{};
+    const float hue = 6 * std::fmod(float(id) * 0.618034f, 1.0f), value = id % 3 == 0   ? 0.65f
+                                                                          : id % 3 == 1 ? 0.95f
+                                                                                        : 0.8f;
+    const auto part = [&](float shift) {
+      const float at = std::fmod(hue + shift, 6.0f);
+      return byte_of(value * (0.25f + 0.75f * std::clamp(std::abs(at - 3) - 1, 0.0f, 1.0f)));
+    };
+    return Colour{part(0), part(4), part(2)};
+  });
+}
+
+}  // namespace
+
+const std::array<ShowRow, show_count>& show_table() {
+  static const std::array<ShowRow, show_count> table = {{
+      {"light", "The picture", {}},
+      {"tests",
+       "All tests that a pixel's rays took",
+       {LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests}},
+      {"triangle tests", "Rays against triangles", {LayerId::triangle_tests}},
+      {"node tests", "Ray nodes against triangles, shared among their rays", {LayerId::node_tests}},
+      {"object tests", "Nodes or rays against meshes and boxes", {LayerId::object_tests}},
+      {"hash order", "Which rays are sorted together: the first bounce's, from first (violet) to last (yellow)", {}},
+      {"position", "Each axis from its least to its greatest value as red, green, blue", {LayerId::position}},
+      {"normal", "Shading normals: x, y, z as red, green, blue", {LayerId::normal}},
+      {"albedo", "Base colour", {LayerId::albedo}},
+      {"depth", "Near is bright", {LayerId::depth}},
+      {"objects", "A colour an object", {LayerId::object}},
+      {"materials", "A colour a material", {LayerId::material}},
+  }};
+  return table;
+}
+
+bool is_heat(Show show) { return show >= Show::tests && show <= Show::object_tests; }
+
+double heat_end(const Picture& picture, Show show) {
+  const std::vector<float> tests = tests_of(picture, show);
+  return tests.empty() ? 0 : output::heat_maximum(tests);
+}
+
+Pixels in_colours(const Picture& picture, Show show, double exposure, double heat_scale) {
+  if (show == Show::light) return light(picture, exposure);
+  if (is_heat(show)) return heat(picture, show, std::max(heat_scale, 1.0));
+  const auto with = [&](LayerId id, auto paint_layer) {
+    const Layer* layer = picture.find(picture_layer(id));
+    return layer ? paint_layer(picture, *layer) : black(picture);
+  };
+  switch (show) {
+    case Show::position: return with(LayerId::position, positions);
+    case Show::normal: return with(LayerId::normal, normals);
+    case Show::albedo: return with(LayerId::albedo, albedo);
+    case Show::depth: return with(LayerId::depth, depth);
+    case Show::objects: return with(LayerId::object, numbers);
+    case Show::materials: return with(LayerId::material, numbers);
+    default: return light(picture, exposure);
+  }
+}
+
+}  // namespace crsh::viewer

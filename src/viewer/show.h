@@ -1,0 +1,53 @@
+#pragma once
+// The ways of looking at a picture: its light, or one of its layers in colours.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "frame/layers.h"
+#include "frame/picture.h"
+
+namespace crsh::viewer {
+
+/// Rows of show_table.
+enum class Show : uint32_t {
+  light,
+  tests,
+  triangle_tests,
+  node_tests,
+  object_tests,
+  order,
+  position,
+  normal,
+  albedo,
+  depth,
+  objects,
+  materials
+};
+inline constexpr size_t show_count = 12;
+
+struct ShowRow {
+  std::string_view name, help;
+  LayerSet layers = {};  ///< that it needs
+};
+
+/// By Show.
+[[nodiscard]] const std::array<ShowRow, show_count>& show_table();
+[[nodiscard]] inline const ShowRow& row_of(Show show) { return show_table()[static_cast<size_t>(show)]; }
+/// Shown on the heat scale.
+[[nodiscard]] bool is_heat(Show show);
+
+/// RGBA bytes, rows from the top.
+struct Pixels {
+  uint32_t width = 0, height = 0;
+  std::vector<uint8_t> rgba;
+};
+
+/// What the heat scale of this picture would end at; 0 where it has no such layers.
+[[nodiscard]] double heat_end(const Picture& picture, Show show);
+/// The picture in colours; black where it lacks the layer. `exposure` in stops, of the light; `heat` ends the heat scale.
+[[nodiscard]] Pixels in_colours(const Picture& picture, Show show, double exposure, double heat);
+
+}  // namespace crsh::viewer

@@ -1,0 +1,40 @@
+#pragma once
+// ImGui's widgets under names by which a script finds them.
+
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace crsh::viewer {
+
+/// Each has its label to the left, in a column. They return whether the value has changed.
+class Widgets {
+ public:
+  /// Forgets what the last frame but one had.
+  void begin_frame();
+  /// Remembers where the widget that was made last is.
+  void note(const std::string& name);
+  /// Its middle in the last frame, where it was to be seen.
+  [[nodiscard]] std::optional<glm::vec2> find(const std::string& name) const;
+  /// The next frame scrolls to it.
+  void scroll_to(const std::string& name) { wanted_ = name; }
+
+  bool header(const std::string& name, const char* label, bool open);
+  bool choice(const std::string& name, const char* label, const std::string& now, std::span<const std::string> words,
+              std::string& chosen);
+  bool check(const std::string& name, const char* label, bool& value);
+  bool whole(const std::string& name, const char* label, int& value, int low, int high);
+  bool real(const std::string& name, const char* label, float& value, float low, float high, const char* format);
+  bool button(const std::string& name, const char* label);
+  void hint(const std::string& text);
+
+ private:
+  void label(const char* text);
+
+  std::map<std::string, glm::vec2> now_, before_;
+  std::string wanted_;
+};
+
+}  // namespace crsh::viewer

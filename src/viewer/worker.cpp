@@ -1,0 +1,204 @@
+#include "viewer/worker.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "error.h"
+#include "scene/hide.h"
+
+namespace crsh::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+Worker::Worker(gpu::Device& device, std::function<void()> wake)
+    : device_(device), wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+Worker::~Worker() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+uint64_t Worker::want(const Wish& wish) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (wish == wanted_) return version_;
+    wanted_ = wish;
+    news_.rests = false;
+    ++version_;
+  }
+  changed_.notify_all();
+  return version_;
+}
+
+News Worker::news() const {
+  const std::lock_guard lock(mutex_);
+  return news_;
+}
+
+bool Worker::outdated() const { return quit_ || (version_ != taken_ && !wish_.moving); }
+
+bool Worker::more_to_do() const {
+  if (given_up_ || wish_.load == 0) return false;
+  if (wish_.load != loaded_number_) return true;
+  if (!loaded_ || wish_.scene != loaded_->number) return false;
+  if (wish_.moving) return samples_ == 0;
+  return samples_ == 0 || (wish_.other ? !right_done_ : samples_ < wish_.most_samples);
+}
+
+/// Waits for something to do; returns false when there never will be.
+bool Worker::take_wish() {
+  std::unique_lock lock(mutex_);
+  if (!more_to_do() && version_ == taken_) {
+    news_.rests = true;
+    lock.unlock(), wake_(), lock.lock();
+  }
+  changed_.wait(lock, [this] { return quit_ || version_ != taken_ || more_to_do(); });
+  if (version_ != taken_) {
+    wish_ = wanted_;
+    taken_ = version_;
+    samples_ = 0;
+    right_done_ = given_up_ = false;
+  }
+  return !quit_;
+}
+
+void Worker::run() {
+  while (take_wish()) {
+    try {
+      if (more_to_do()) fulfil();
+    } catch (const Cancelled&) {
+      samples_ = 0;
+    } catch (const UserError& error) {
+      fail(error.what());
+    } catch (const gpu::OutOfMemory& shortage) {
+      fail(fmt::format("out of memory ({}): make the window or the scene smaller", shortage.what));
+    } catch (const std::exception& error) {
+      fail(fmt::format("internal error: {}", error.what()));
+    }
+  }
+  renderer_.reset();
+}
+
+void Worker::fail(const std::string& message) {
+  given_up_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    news_.error = message;
+    ++news_.error_number;
+    news_.phase.clear();
+  }
+  wake_();
+}
+
+void Worker::say(const std::string& phase, double done) {
+  {
+    const std::lock_guard lock(mutex_);
+    news_.phase = phase;
+    news_.done = done;
+  }
+  wake_();
+}
+
+void Worker::fulfil() {
+  if (wish_.load != loaded_number_) return load();
+  if (!renderer_ || hidden_ != wish_.options.hidden) make_renderer();
+  if (samples_ == 0) render(false);
+  else if (wish_.other && !right_done_) render(true);
+  else refine();
+  if (wish_.moving && wish_.other) render(true);
+}
+
+void Worker::load() {
+  loaded_number_ = wish_.load;
+  say("reading " + wish_.path.filename().string(), 0);
+  auto loaded = std::make_shared<LoadedScene>();
+  loaded->number = wish_.load;
+  loaded->scene = scene::load(wish_.path, wish_.which);
+  renderer_.reset();
+  loaded_ = loaded;
+  {
+    const std::lock_guard lock(mutex_);
+    news_.loaded = loaded;
+    news_.left = news_.right = nullptr;
+  }
+  say("", 0);
+}
+
+void Worker::make_renderer() {
+  say("giving it to the device", 0);
+  renderer_.reset();
+  without_hidden_.reset();
+  hidden_ = wish_.options.hidden;
+  if (!hidden_.empty()) {
+    without_hidden_ = loaded_->scene;
+    scene::hide(*without_hidden_, hidden_);
+  }
+  renderer_ = std::make_unique<Renderer>(device_, without_hidden_ ? *without_hidden_ : loaded_->scene, wish_.options);
+  renderer_->on_submit([this] {
+    if (outdated()) throw Cancelled{};
+  });
+}
+
+void Worker::render(bool right) {
+  RenderOptions options = wish_.options;
+  const raster::ImageSize full{options.width, options.height};
+  raster::ImageSize size = full;
+  if (wish_.moving) size = pace_.size(full, wish_.budget_ms / (wish_.other ? 2 : 1));
+  options.width = size.width, options.height = size.height;
+  if (right) options.algorithm = *wish_.other;
+  const bool first = !news().left;
+  const auto start = Clock::now();
+  renderer_->change(options);
+  Picture picture = renderer_->render(wish_.seconds, [&](double done) {
+    if (first) say("first picture", done);
+  });
+  const double milliseconds = milliseconds_since(start);
+  if (!right) pace_.measured(size, full, milliseconds);
+  if (right) right_done_ = true;
+  else samples_ = 1;
+  publish(right, std::move(picture), options, !wish_.moving, milliseconds);
+}
+
+void Worker::refine() {
+  const auto start = Clock::now();
+  RenderOptions options = renderer_->options();
+  renderer_->change(options);
+  Picture picture = renderer_->refine(wish_.seconds);
+  options.samples = ++samples_;
+  publish(false, std::move(picture), options, true, milliseconds_since(start));
+}
+
+void Worker::publish(bool right, Picture picture, RenderOptions options, bool fine, double milliseconds) {
+  auto shown = std::make_shared<Shown>();
+  shown->picture = std::move(picture);
+  shown->options = std::move(options);
+  shown->seconds = wish_.seconds;
+  shown->fine = fine;
+  shown->statistics = renderer_->statistics();
+  shown->milliseconds = milliseconds;
+  shown->scene = loaded_->number;
+  shown->wish = taken_;
+  shown->serial = ++serial_;
+  {
+    const std::lock_guard lock(mutex_);
+    (right ? news_.right : news_.left) = shown;
+    if (!wish_.other) news_.right = nullptr;
+    news_.phase.clear();
+    news_.device_bytes = device_.allocated_bytes();
+  }
+  wake_();
+}
+
+}  // namespace crsh::viewer

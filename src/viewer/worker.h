@@ -1,0 +1,69 @@
+#pragma once
+// The renderer's thread: fulfils the last wish, coarsely while the camera moves, then finely, then sample by sample.
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "frame/renderer.h"
+#include "viewer/job.h"
+#include "viewer/pace.h"
+
+namespace crsh::viewer {
+
+class Worker {
+ public:
+  /// `wake` is called from the worker's thread whenever there is news.
+  Worker(gpu::Device& device, std::function<void()> wake);
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Returns the wish's number at once. What is under way for another wish is left, unless that one's camera moves.
+  uint64_t want(const Wish& wish);
+  [[nodiscard]] News news() const;
+
+ private:
+  struct Cancelled {};
+
+  void run();
+  [[nodiscard]] bool take_wish();
+  void fulfil();
+  void load();
+  void make_renderer();
+  void render(bool right);
+  void refine();
+  void publish(bool right, Picture picture, RenderOptions options, bool fine, double milliseconds);
+  void say(const std::string& phase, double done);
+  void fail(const std::string& message);
+  [[nodiscard]] bool outdated() const;
+  [[nodiscard]] bool more_to_do() const;
+
+  gpu::Device& device_;
+  std::function<void()> wake_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Wish wanted_;
+  News news_;
+  std::atomic<uint64_t> version_ = 0;  ///< of wanted_
+  std::atomic<bool> quit_ = false;
+
+  // The worker's own.
+  Wish wish_;
+  uint64_t taken_ = 0;  ///< version of wish_
+  uint64_t loaded_number_ = 0, serial_ = 0;
+  LoadedPtr loaded_;
+  std::optional<scene::Scene> without_hidden_;
+  std::vector<std::string> hidden_;
+  std::unique_ptr<Renderer> renderer_;
+  Pace pace_;
+  uint32_t samples_ = 0;  ///< of the fine picture; 0: none yet
+  bool right_done_ = false, given_up_ = false;
+
+  std::thread thread_;
+};
+
+}  // namespace crsh::viewer

@@ -1,0 +1,102 @@
+// The window: it opens, resizes, minimises, closes, and says what is wrong.
+
+#include <doctest/doctest.h>
+
+#include "output/image.h"
+#include "output/whole_file.h"
+#include "viewer/view.h"
+
+namespace crsh {
+namespace {
+
+using test::cornell;
+using test::lines_with;
+using test::quick;
+using test::TemporaryFolder;
+using test::view;
+
+/// Nothing went wrong, and nothing was said.
+void check_well(const test::Outcome& outcome) {
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+}
+
+TEST_CASE("it opens, draws, and its screenshot is the whole window" * doctest::test_suite("subset")) {
+  const TemporaryFolder folder;
+  check_well(view(cornell, "resize 640 480\nwait\nscreenshot " + (folder / "a.png") + "\n"));
+  const output::Image image = output::read_image(folder / "a.png");
+  CHECK(image.width == 640);
+  CHECK(image.height == 480);
+}
+
+TEST_CASE("it shrinks to one pixel and grows again") {
+  const TemporaryFolder folder;
+  check_well(view(cornell, "wait\nresize 1 1\nwait\nresize 400 300\nwait\nscreenshot " + (folder / "a.png") + "\n"));
+  CHECK(output::read_image(folder / "a.png").width == 400);
+}
+
+TEST_CASE("it is minimised and comes back") {
+  check_well(view(cornell, "resize 300 200\nwait\nminimise\nframes 5\nrestore\nwait\n"));
+}
+
+TEST_CASE("a broken file that is dropped says why, and the scene that was there stays") {
+  const TemporaryFolder folder;
+  output::write_whole(folder / "broken.glb", "this is no scene");
+  const std::string script = "resize 300 200\nwait\ndrop " + (folder / "broken.glb") +
+                             "\nrest\ndrag left 150 60 170 80\nwait\nprint-command\n";
+  const test::Outcome outcome = view(cornell, script);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.error_lines() == 1);
+  CHECK(outcome.err.find("broken.glb") != std::string::npos);
+  CHECK(outcome.out.find("cornell.glb") != std::string::npos);
+}
+
+TEST_CASE("a scene that is dropped takes the place of the other") {
+  const test::Outcome outcome = view(cornell, "resize 300 200\nwait\ndrop " + test::moving + "\nwait\nprint-command\n");
+  check_well(outcome);
+  CHECK(outcome.out.find("moving.glb") != std::string::npos);
+}
+
+TEST_CASE("without a scene it waits for one") {
+  check_well(view("", "resize 300 200\nframes 3\ndrop " + cornell + "\nframes 20\nwait\n"));
+}
+
+TEST_CASE("a scene that is broken from the start ends a script with its reason") {
+  const test::Outcome outcome = view("/nowhere/scene.glb", "frames 3\n");
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.find("/nowhere/scene.glb") != std::string::npos);
+}
+
+TEST_CASE("F5 loads the scene again and keeps the view") {
+  const TemporaryFolder folder;
+  output::write_whole(folder / "a.glb", output::read_whole(cornell));
+  const test::Outcome outcome = view(
+      folder / "a.glb",
+      "resize 300 200\nwait\ndrag left 100 60 130 70\nwait\nprint-command\nkey F5\nframes 10\nwait\nprint-command\n");
+  check_well(outcome);
+  const auto lines = lines_with(outcome.out, "crsh render");
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0] == lines[1]);
+}
+
+TEST_CASE("wrong usage is one line and status 2") {
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--budget", "soon"}, {"--no-such"}, {"--key", "file"}}) {
+    const test::Outcome outcome = test::run_program(CRSH_BUILD_DIR "/crsh-view", options);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.error_lines() == 1);
+  }
+}
+
+TEST_CASE("a script with an unknown command or widget is refused with its line") {
+  test::Outcome outcome = view(cornell, "wait\njump 3\n");
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.find(":2: jump") != std::string::npos);
+  outcome = view(cornell, "click no such thing\n");
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.find(":1: no widget") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace crsh
