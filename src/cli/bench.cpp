@@ -18,6 +18,7 @@
 #include "output/json_text.h"
 #include "output/progress.h"
 #include "output/whole_file.h"
+#include "scene/hide.h"
 #include "scene/scene.h"
 
 namespace crsh::cli {
@@ -61,7 +62,9 @@ std::string name_of(const BenchCommand& command, size_t scene) {
 std::vector<scene::Scene> load_scenes(const BenchCommand& command) {
   std::vector<scene::Scene> scenes;
   for (const BenchScene& asked : command.scenes) {
-    scenes.push_back(scene::load(asked.path, variants_of(command, asked).front().options.scene));
+    const RenderOptions options = variants_of(command, asked).front().options;
+    scenes.push_back(scene::load(asked.path, options.scene));
+    scene::hide(scenes.back(), options.hidden);
     if (const auto& missing = scenes.back().unsupported; !missing.empty())
       say(command, fmt::format("{}: not supported and left out: {}", asked.path, fmt::join(missing, "; ")));
   }

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "error.h"
+#include "leaks.h"
 #include "output/whole_file.h"
 #include "version.h"
 #include "viewer/args.h"
