@@ -15,6 +15,9 @@
 namespace crsh::bench {
 namespace {
 
+/// Devices without memory of their own may have little: variants whose lists sum up to more are not kept at once.
+constexpr uint64_t most_resident_bytes = uint64_t(1) << 30;
+
 /// Frames done of all frames to do.
 class Work {
  public:
@@ -129,18 +132,40 @@ class Measurement {
 
   /// A, B, C, A, B, C, ...: a round is a frame of each.
   void repeat() {
-    if (schedule_.warmup + schedule_.repeat == 0) return;
-    std::vector<std::unique_ptr<Renderer>> renderers;
-    for (const Result& result : results_) {
-      RenderOptions options = result.variant.options;
-      options.layers = {};
-      renderers.push_back(result.counted_from.empty() ? std::make_unique<Renderer>(device_, scene_, options) : nullptr);
-    }
+    const uint32_t rounds = schedule_.warmup + schedule_.repeat;
+    const bool resident = rounds && fit_together();
+    std::vector<std::unique_ptr<Renderer>> renderers(results_.size());
+    for (size_t i = 0; resident && i < results_.size(); ++i)
+      if (is_traced(results_[i])) renderers[i] = renderer_of(results_[i]);
     uint32_t place = 0;
-    for (uint32_t round = 0; round < schedule_.warmup + schedule_.repeat; ++round)
+    for (uint32_t round = 0; round < rounds; ++round)
       for (size_t i = 0; i < results_.size(); ++i)
-        if (renderers[i]) time(*renderers[i], results_[i], round >= schedule_.warmup, place);
-        else work_.next();
+        if (!is_traced(results_[i])) work_.next();
+        else if (resident) time(*renderers[i], results_[i], round >= schedule_.warmup, place);
+        else time_alone(results_[i], round >= schedule_.warmup, place);
+  }
+
+  static bool is_traced(const Result& result) { return result.counted_from.empty(); }
+
+  /// Whether the device holds the lists of all variants at once, by what each took alone.
+  [[nodiscard]] bool fit_together() const {
+    const uint64_t budget = device_.request().memory_budget;
+    uint64_t sum = 0;
+    for (const Result& result : results_) sum += result.counters.device_peak_bytes;
+    return sum <= (budget ? budget : most_resident_bytes);
+  }
+
+  std::unique_ptr<Renderer> renderer_of(const Result& result) {
+    RenderOptions options = result.variant.options;
+    options.layers = {};
+    return std::make_unique<Renderer>(device_, scene_, options);
+  }
+
+  /// With its first frame, in which lists grow and hierarchies are built, left out.
+  void time_alone(Result& result, bool counted, uint32_t& place) {
+    const auto renderer = renderer_of(result);
+    (void)renderer->render(result.variant.seconds, [&](double) { work_.show(0); });
+    time(*renderer, result, counted, place);
   }
 
   void time(Renderer& renderer, Result& result, bool counted, uint32_t& place) {

@@ -75,6 +75,22 @@ TEST_CASE("frames of the algorithms take turns, and those for warming up are not
   CHECK(result["runs"][1]["bench"]["places"] == json({1, 3, 5}));
 }
 
+TEST_CASE("where memory holds one algorithm at a time, the counters and the turns are the same") {
+  const std::vector<std::string> options = {glass, "--repeat",     "2",        "--warmup",
+                                            "1",   "--algorithms", "rah,crsh", "--max-memory"};
+  std::vector<std::string> little = options, plenty = options;
+  little.emplace_back("6");
+  plenty.emplace_back("1000");
+  const json alone = bench_json(little), together = bench_json(plenty);
+  uint64_t sum_of_peaks = 0;
+  for (size_t run = 0; run < 2; ++run) {
+    CHECK(alone["runs"][run]["rays"] == together["runs"][run]["rays"]);
+    CHECK(alone["runs"][run]["bench"]["places"] == together["runs"][run]["bench"]["places"]);
+    sum_of_peaks += together["runs"][run]["memory"]["device_peak_bytes"].get<uint64_t>();
+  }
+  CHECK(sum_of_peaks > (6 << 20));  // else nothing was short
+}
+
 TEST_CASE("--vary makes every combination, and leaves out what a preset does not look at") {
   const json result = bench_json({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "brute,rah", "--vary",
                                   "arity=4,8", "--vary", "--fit=merged,all", "--vary", "size=8x8,16x8"});

@@ -73,6 +73,7 @@ void check_scene(const scene::Scene& scene, RenderOptions options) {
   if (!is_full()) {
     options.width = options.height = scene.triangle_count() > 20000 ? 8 : 20;
     rays = rays_of(scene, options);
+    check_verdict(judged(rays, triangles));
   }
   for (const std::string& name : preset_names()) {
     CAPTURE(name);
