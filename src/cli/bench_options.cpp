@@ -77,11 +77,16 @@ Option algorithms_row(std::vector<std::string>& algorithms) {
           .words = algorithm_words()};
 }
 
-/// The row of this name, of a table that variants can be given.
-const Option* find_row(const std::vector<OptionGroup>& groups, const std::string& key) {
+/// What all variants of a scene share: the scene itself, and the device.
+bool is_shared(const std::string& group, const Option& option) {
+  return group == "Device" || group == "Output" || option.key() == "scene" || option.key() == "hide";
+}
+
+/// The row of this name that may differ between variants.
+const Option* find_varied(const std::vector<OptionGroup>& groups, const std::string& key) {
   for (const OptionGroup& group : groups)
     for (const Option& option : group.options)
-      if (option.key() == key) return &option;
+      if (option.key() == key && !option.hidden && !is_shared(group.title, option)) return &option;
   return nullptr;
 }
 
@@ -96,8 +101,8 @@ Vary parse_vary(const std::string& text) {
   RenderCommand scratch;
   std::vector<Given> given;
   const auto groups = render_groups(scratch, given);
-  const Option* row = find_row(groups, vary.key);
-  if (!row || row->hidden) refuse(fmt::format("{}: no option that can be varied", vary.key));
+  const Option* row = find_varied(groups, vary.key);
+  if (!row) refuse(fmt::format("{}: no option that can be varied", vary.key));
   for (const std::string& value : vary.values) row->set(value);
   return vary;
 }

@@ -282,6 +282,8 @@ TEST_CASE("wrong usage of the bench is one line, before anything is rendered") {
   check_misuse({"a.glb", "--algorithms", "rah,rah"}, "rah stands twice");
   check_misuse({"a.glb", "--vary", "arity"}, "OPTION=VALUE,VALUE is allowed");
   check_misuse({"a.glb", "--vary", "colour=red"}, "colour: no option that can be varied");
+  check_misuse({"a.glb", "--vary", "scene=0,1"}, "scene: no option that can be varied");
+  check_misuse({"a.glb", "--vary", "device=0,1"}, "device: no option that can be varied");
   check_misuse({"a.glb", "--vary", "arity=4,many"}, "a whole number from 2 to 64");
   check_misuse({"a.glb", "--repeat", "0"}, "a whole number from 1");
   check_misuse({"a.glb", "--count", "shadows"}, "allowed is shadow, reflection, refraction");
