@@ -10,7 +10,7 @@ Table ablation_table(const std::vector<SceneResults>& scenes, const RayFilter& f
               .columns = {"OPTION"}};
   for (const SceneResults& scene : scenes) {
     table.spans.push_back({upper(scene.name), 3});
-    table.columns.insert(table.columns.end(), {"ALL TESTS", "% OF BRUTE FORCE", "TIMES"});
+    table.columns.insert(table.columns.end(), {"ALL TESTS", "RELATIVE %", "TIMES"});
   }
   for (size_t i = 0; i < variants.size(); ++i) {
     std::vector<std::string> row = {variants[i].variant.label};
@@ -22,7 +22,7 @@ Table ablation_table(const std::vector<SceneResults>& scenes, const RayFilter& f
     }
     table.rows.push_back(std::move(row));
   }
-  table.note = "Everything is counted. TIMES: of the first row's tests.";
+  table.note = "Everything is counted, in per cent of brute force. TIMES: of the first row's tests.";
   return table;
 }
 

@@ -16,11 +16,11 @@ namespace {
 
 const char* const style = R"(<style>
 :root{color-scheme:light}
-body{font:15px/1.45 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:1080px;margin:0 auto;padding:0 16px 48px}
+body{font:15px/1.45 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:1200px;margin:0 auto;padding:0 16px 48px}
 h1{font-size:1.6em;margin:.8em 0 .2em}h2{font-size:1.25em;margin:2em 0 .5em;border-bottom:1px solid #bbb}h3{font-size:1.05em;margin:1.4em 0 .4em}
 pre{white-space:pre-wrap;overflow-wrap:anywhere;background:#f3f3f3;padding:8px 10px;font-size:13px}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-size:13.5px;font-variant-numeric:tabular-nums}
-th,td{padding:2px 9px;text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left;padding-left:2px}
+th,td{padding:2px 7px;text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left;padding-left:2px}
 thead th{border-bottom:1px solid #555;font-weight:600}thead .span th{border-bottom:0;text-align:left;padding-left:28px}
 th:first-child,td:first-child{position:sticky;left:0;background:#fff}
 tbody .group td{font-weight:600;padding-top:9px;border-bottom:1px solid #ddd}tbody tr:not(.group):hover{background:#f0f5fa}

@@ -103,14 +103,24 @@ void write_to(const std::string& path, const std::string& bytes, output::Progres
   progress.written(path);
 }
 
-/// Counters alone, of one frame each.
+/// Counters alone, of one frame each. What a preset does not allow is left out, and said.
 bench::Table ablate(const BenchCommand& command, const std::string& algorithm, Stage& stage) {
   std::vector<bench::SceneResults> results;
   for (size_t i = 0; i < command.scenes.size(); ++i) {
+    results.push_back({name_of(command, i), command.scenes[i].path, {}});
     const std::vector<bench::Variant> variants = ablations_of(command, command.scenes[i], algorithm);
-    results.push_back(
-        {name_of(command, i), command.scenes[i].path,
-         bench::measure(stage.device, stage.scenes[i], variants, {.warmup = 0, .repeat = 0}, stage.next())});
+    const bench::Progress progress = stage.next();
+    for (size_t v = 0; v < variants.size(); ++v) {
+      const auto part = [&](double done) { progress((double(v) + done) / double(variants.size())); };
+      try {
+        auto measured = bench::measure(stage.device, stage.scenes[i], {variants[v]}, {.warmup = 0, .repeat = 0}, part);
+        results.back().results.push_back(std::move(measured.front()));
+      } catch (const UserError& error) {
+        if (error.status() != Exit::usage) throw;
+        stage.progress.clear();
+        say(command, fmt::format("{} {} is left out: {}", algorithm, variants[v].label, error.what()));
+      }
+    }
   }
   return bench::ablation_table(results, command.count);
 }
