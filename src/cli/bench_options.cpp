@@ -16,8 +16,8 @@ namespace {
 
 /// Options of `crsh render` that say where a picture goes, or what the bench has its own options for.
 bool is_render_only(const Option& option) {
-  static const std::vector<std::string> keys = {"output", "layers", "stats",     "dump-rays", "replay-rays",
-                                                "frames", "fps",    "algorithm", "verbose"};
+  static const std::vector<std::string> keys = {"output",      "layers", "stats", "dump-rays",
+                                                "replay-rays", "frames", "fps",   "algorithm"};
   return std::ranges::find(keys, option.key()) != keys.end();
 }
 

@@ -75,6 +75,26 @@ TEST_CASE("frames of the algorithms take turns, and those for warming up are not
   CHECK(result["runs"][1]["bench"]["places"] == json({1, 3, 5}));
 }
 
+TEST_CASE("progress rises to the end, as JSON when asked") {
+  const test::Outcome outcome =
+      test::crsh({"bench", glass, "--size", "12x10", "--bounces", "0", "--repeat", "2", "--warmup", "0", "--algorithms",
+                  "bvh,crsh", "--progress", "json", "--csv", "/dev/null"});
+  REQUIRE(outcome.status == 0);
+  std::istringstream stream(outcome.err);
+  std::vector<double> done;
+  bool written = false;
+  for (std::string line; std::getline(stream, line);) {
+    const json event = json::parse(line, nullptr, false);
+    if (event.is_discarded()) continue;  // the device, the lights
+    if (event["event"] == "progress") done.push_back(event["done"]);
+    written |= event["event"] == "written" && event["path"] == "/dev/null";
+  }
+  CHECK(std::ranges::is_sorted(done));
+  REQUIRE(!done.empty());
+  CHECK(done.back() == 1);
+  CHECK(written);
+}
+
 TEST_CASE("where memory holds one algorithm at a time, the counters and the turns are the same") {
   const std::vector<std::string> options = {glass, "--repeat",     "2",        "--warmup",
                                             "1",   "--algorithms", "rah,crsh", "--max-memory"};
