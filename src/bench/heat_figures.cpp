@@ -74,7 +74,12 @@ std::string heat_figures_html(const SceneResults& scene) {
         output::heat_map(logarithms(result.heat), result.width, result.height, std::log10(1 + maximum));
     html += figure_html(output::encode_colour_png(map), row_name(result));
   }
-  return html + "</div>\n" + legend_html(maximum);
+  html += "</div>\n" + legend_html(maximum);
+  for (const Result& result : scene.results)
+    if (!result.counted_from.empty())
+      html += fmt::format("<p class='note'>{} was counted, not traced: it has no picture here.</p>\n",
+                          escaped(row_name(result)));
+  return html;
 }
 
 }  // namespace crsh::bench

@@ -133,8 +133,11 @@ TEST_CASE("brute force of many tests is counted, not traced, with the counters t
   CHECK(traced["runs"][0]["bench"]["traced"] == true);
   CHECK(counted["runs"][0]["frames"] == 0);
   CHECK(counted["runs"][0]["rays"] == traced["runs"][0]["rays"]);
-  const test::Outcome tables = bench({office, "--repeat", "100000", "--algorithms", "brute"});
+  const test::TemporaryFolder folder;
+  const test::Outcome tables =
+      bench({office, "--repeat", "100000", "--algorithms", "brute", "--report", folder / "a.html"});
   CHECK(tables.out.find("Brute force was counted, not traced") != std::string::npos);
+  CHECK(output::read_whole(folder / "a.html").find("Table 1") != std::string::npos);  // without any picture
 }
 
 TEST_CASE("the tables have the paper's row names, and a column a scene") {
