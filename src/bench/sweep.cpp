@@ -161,11 +161,11 @@ ChartSection sweep_section(SweepKind kind, const std::string& scene, const std::
     section.table.rows.push_back(growth_row(line));
     curves.push_back(std::move(curve));
   }
-  section.table.note =
+  section.table.note = fmt::format(
       "TRACING: traversal and intersection; SECONDARY: from ray creation to there, sorting and ray hierarchy included; "
-      "BUILD: the "
-      "object hierarchy in the first frame.\nA line ends where the next size would need more than 4000 M tests a "
-      "frame.";
+      "BUILD: the object hierarchy in the first frame.\nA line ends where the next size would need more than {} tests "
+      "a frame.",
+      count_text(static_cast<uint64_t>(most_sweep_tests)));
   section.svg = curves_svg(curves, name, "tracing, ms", section.title);
   return section;
 }
