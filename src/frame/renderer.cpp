@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "error.h"
+#include "frame/look_inside.h"
 #include "frame/state.h"
 #include "scene/device_materials.h"
 
@@ -108,6 +109,8 @@ void attempt(Renderer::State& s, const Frame& frame) {
   s.frame_statistics = {};
   s.frame_statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
   if (s.dump) *s.dump = {};
+  if (s.nodes) s.nodes->clear();
+  s.rays_seen = 0;
   s.counters->clear(s.recorder);
   s.recorder.submit();
   (void)s.recorder.profiler().take_milliseconds();
@@ -235,6 +238,10 @@ void Renderer::on_submit(std::function<void()> call) {
     if (!state_->placing) call();
   });
 }
+
+void Renderer::watch_nodes(std::vector<RayNode>* nodes) { state_->nodes = nodes; }
+
+std::vector<ObjectBox> Renderer::object_boxes(uint32_t depth) { return crsh::object_boxes(*state_, depth); }
 
 const Statistics& Renderer::statistics() const { return state_->statistics; }
 const RenderOptions& Renderer::options() const { return state_->options; }

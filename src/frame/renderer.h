@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/inside.h"
 #include "frame/options.h"
 #include "frame/picture.h"
 #include "frame/ray_table.h"
@@ -40,6 +41,11 @@ class Renderer {
   void change(const RenderOptions& options);
   /// Called before the device is given work; may throw to cancel render() and refine(), after which render() is right again.
   void on_submit(std::function<void()> call);
+
+  /// Every render() from here on fills `nodes` with those over all its rays; null: none does.
+  void watch_nodes(std::vector<RayNode>* nodes);
+  /// Boxes of the object hierarchy as the last frame left it, down to this depth; none where the algorithm has none.
+  [[nodiscard]] std::vector<ObjectBox> object_boxes(uint32_t depth);
 
   /// Counters and times of all frames so far.
   [[nodiscard]] const Statistics& statistics() const;

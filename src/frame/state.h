@@ -7,6 +7,7 @@
 #include "coherence/coherence.h"
 #include "coherence/trim.h"
 #include "frame/counters.h"
+#include "frame/inside.h"
 #include "frame/ray_table.h"
 #include "frame/renderer.h"
 #include "hierarchy/account.h"
@@ -76,7 +77,9 @@ struct Renderer::State {
   uint64_t most_pairs = 0;                ///< of a candidate list; 0: as memory allows
   Statistics statistics;                  ///< of all finished frames
   Statistics frame_statistics;            ///< of the frame under way
+  uint32_t rays_seen = 0;                 ///< in batches of the frame under way that are done
   RayTable* dump = nullptr;               ///< gets the rays of the frame under way
+  std::vector<RayNode>* nodes = nullptr;  ///< gets the nodes over the rays of the frame under way
   std::vector<std::string> notes;
 };
 

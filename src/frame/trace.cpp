@@ -3,6 +3,7 @@
 #include "frame/trace.h"
 
 #include "frame/dump.h"
+#include "frame/look_inside.h"
 #include "primitives/grow.h"
 
 namespace crsh {
@@ -124,6 +125,8 @@ void trace(Renderer::State& s, uint32_t bounce, const RayNames& names) {
                          segment, names.first_surface, names.pixels, names.paths);
   share_tests(s, batch, names);
   add_batch(s.recorder, batch, s.batch.order, s.batch.hierarchy, bounce, s.frame_statistics);
+  if (s.nodes) dump_nodes(s, bounce, s.rays_seen, *s.nodes);
+  s.rays_seen += batch.count;
   if (s.dump) dump_batch(s, bounce, names, *s.dump);
 }
 

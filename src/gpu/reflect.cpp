@@ -8,10 +8,21 @@
 #include <optional>
 
 #include "assertion.h"
+#include "gpu/embedded.h"
 #include "gpu/program.h"
 
 namespace crsh::gpu {
 namespace {
+
+/// Of a shader that this reflection cannot read: the programmer's error in an embedded one.
+struct Unreadable {
+  std::string why;
+};
+
+void require(bool condition, const std::string& why) {
+  if (!condition) throw Unreadable{why};
+}
+
 
 constexpr size_t header_words = 5;
 constexpr uint32_t max_push_bytes = 128;  // what every device allows
@@ -82,7 +93,7 @@ void take(Module& module, SpvOp op, std::span<const uint32_t> operands) {
   if (op == SpvOpMemberDecorate) decorate_member(module, operands);
   if (op == SpvOpExecutionMode && operands[1] == SpvExecutionModeLocalSize)
     std::copy_n(operands.begin() + 2, 3, module.local_size.begin());
-  CRSH_ASSERT(op != SpvOpExecutionModeId, "LocalSizeId needs maintenance4: compile for SPIR-V 1.5");
+  require(op != SpvOpExecutionModeId, "LocalSizeId needs maintenance4: compile for SPIR-V 1.5");
   const size_t place = result_place(op);
   if (place == SIZE_MAX) return;
   module.definitions[operands[place]] = {op, operands};
@@ -90,11 +101,11 @@ void take(Module& module, SpvOp op, std::span<const uint32_t> operands) {
 }
 
 Module parse(std::span<const uint32_t> spirv) {
-  CRSH_ASSERT(spirv.size() > header_words && spirv[0] == SpvMagicNumber, "that is no SPIR-V");
+  require(spirv.size() > header_words && spirv[0] == SpvMagicNumber, "that is no SPIR-V");
   Module module;
   for (size_t at = header_words; at < spirv.size();) {
     const size_t words = spirv[at] >> SpvWordCountShift;
-    CRSH_ASSERT(words > 0 && at + words <= spirv.size(), "broken SPIR-V");
+    require(words > 0 && at + words <= spirv.size(), "broken SPIR-V");
     const auto op = static_cast<SpvOp>(spirv[at] & SpvOpCodeMask);
     if (op == SpvOpFunction) break;  // all definitions come before
     take(module, op, spirv.subspan(at + 1, words - 1));
@@ -105,7 +116,7 @@ Module parse(std::span<const uint32_t> spirv) {
 
 uint32_t constant(const Module& module, uint32_t id) {
   const Definition& definition = module.at(id);
-  CRSH_ASSERT(definition.op == SpvOpConstant || definition.op == SpvOpSpecConstant, "not a scalar constant");
+  require(definition.op == SpvOpConstant || definition.op == SpvOpSpecConstant, "not a scalar constant");
   return definition.operands[2];
 }
 
@@ -132,7 +143,7 @@ uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout
     case SpvOpTypeMatrix: return operands[2] * layout.matrix_stride;
     case SpvOpTypeArray: return constant(module, operands[2]) * module.array_stride.at(type);
     case SpvOpTypeStruct: return struct_size(module, type);
-    default: CRSH_ASSERT(false, "a push constant of an unexpected type"); return 0;
+    default: require(false, "a push constant of an unexpected type"); return 0;
   }
 }
 
@@ -140,14 +151,14 @@ uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout
 std::optional<Resource> resource_of(const Module& module, SpvStorageClass storage, uint32_t pointee) {
   if (storage == SpvStorageClassStorageBuffer) return Resource::storage_buffer;
   if (storage == SpvStorageClassUniform) {
-    CRSH_ASSERT(module.buffer_block.contains(pointee),
+    require(module.buffer_block.contains(pointee),
                 "uniform buffers are not supported: use a push constant or a buffer");
     return Resource::storage_buffer;
   }
   if (storage != SpvStorageClassUniformConstant) return std::nullopt;
   const Definition& type = module.at(pointee);
   if (type.op == SpvOpTypeAccelerationStructureKHR) return Resource::acceleration_structure;
-  CRSH_ASSERT(type.op == SpvOpTypeImage && type.operands[6] == 2,
+  require(type.op == SpvOpTypeImage && type.operands[6] == 2,
               "of images, only single storage images are supported");
   return Resource::storage_image;
 }
@@ -159,9 +170,9 @@ void add_variable(const Module& module, uint32_t id, std::map<uint32_t, Resource
   if (storage == SpvStorageClassPushConstant) push_bytes = std::max(push_bytes, struct_size(module, pointee));
   const std::optional<Resource> resource = resource_of(module, storage, pointee);
   if (!resource) return;
-  CRSH_ASSERT(module.set.at(id) == 0, "only descriptor set 0 is supported");
+  require(module.set.at(id) == 0, "only descriptor set 0 is supported");
   const auto [known, added] = resources.try_emplace(module.binding.at(id), *resource);
-  CRSH_ASSERT(known->second == *resource, "one binding is two kinds of resource");
+  require(known->second == *resource, "one binding is two kinds of resource");
 }
 
 void set_local_size(const Module& module, Reflection& reflection) {
@@ -175,11 +186,7 @@ void set_local_size(const Module& module, Reflection& reflection) {
   }
 }
 
-}  // namespace
-
-Reflection reflect(std::span<const uint32_t> spirv) { return reflect_together({&spirv, 1}); }
-
-Reflection reflect_together(std::span<const std::span<const uint32_t>> modules) {
+Reflection reflect_all(std::span<const std::span<const uint32_t>> modules) {
   Reflection reflection;
   std::map<uint32_t, Resource> resources;
   for (const std::span<const uint32_t>& spirv : modules) {
@@ -188,12 +195,48 @@ Reflection reflect_together(std::span<const std::span<const uint32_t>> modules) 
     set_local_size(module, reflection);
   }
   for (const auto& [binding, resource] : resources) {
-    CRSH_ASSERT(binding == reflection.resources.size(), "bindings must count from 0 without gaps");
+    require(binding == reflection.resources.size(), "bindings must count from 0 without gaps");
     reflection.resources.push_back(resource);
   }
-  CRSH_ASSERT(reflection.push_bytes <= max_push_bytes, "a push block of more than 128 bytes");
+  require(reflection.push_bytes <= max_push_bytes, "a push block of more than 128 bytes");
   return reflection;
 }
+
+/// What a module declares by itself, bindings with gaps included.
+struct Declared {
+  bool operator==(const Declared&) const = default;
+  std::map<uint32_t, Resource> resources;
+  uint32_t push_bytes = 0;
+};
+
+Declared declared_by(std::span<const uint32_t> spirv) {
+  const Module module = parse(spirv);
+  Declared declared;
+  for (const uint32_t id : module.variables) add_variable(module, id, declared.resources, declared.push_bytes);
+  return declared;
+}
+
+}  // namespace
+
+Reflection reflect_together(std::span<const std::span<const uint32_t>> modules) {
+  try {
+    return reflect_all(modules);
+  } catch (const Unreadable& shader) {
+    assertion_failed(__FILE__, __LINE__, shader.why);
+  }
+}
+
+std::string misfit(std::string_view file, std::span<const uint32_t> words) {
+  try {
+    const Declared now = declared_by(words), before = declared_by(embedded_spirv(file));
+    if (now.resources != before.resources) return "its bindings have changed";
+    return now.push_bytes == before.push_bytes ? "" : "its push constants have changed";
+  } catch (const Unreadable& shader) {
+    return shader.why;
+  }
+}
+
+Reflection reflect(std::span<const uint32_t> spirv) { return reflect_together({&spirv, 1}); }
 
 uint32_t declared_constant(std::string_view file, uint32_t constant_id) {
   const Module module = parse(embedded_spirv(file));

@@ -12,6 +12,7 @@
 #include "frame/picture.h"
 #include "frame/statistics.h"
 #include "scene/scene.h"
+#include "viewer/inspection.h"
 
 namespace crsh::viewer {
 
@@ -28,8 +29,7 @@ struct Wish {
   float budget_ms = 50;                   ///< of a coarse frame
   uint32_t most_samples = 1;              ///< of a fine one
   std::optional<AlgorithmOptions> other;  ///< a second picture, by this algorithm
-  std::optional<uint32_t> order_kind;     ///< hash order of the first bounce's rays of this kind
-  std::optional<uint32_t> nodes_kind;     ///< nodes over them
+  std::optional<uint32_t> inspect_kind;   ///< how the first bounce's rays of this kind are sorted and bundled
 };
 
 /// A picture and how it came about.
@@ -45,6 +45,7 @@ struct Shown {
   uint64_t serial = 0;      ///< another one a picture
 };
 using ShownPtr = std::shared_ptr<const Shown>;
+using InsidePtr = std::shared_ptr<const Inspection>;
 
 struct LoadedScene {
   uint64_t number = 0;
@@ -54,8 +55,9 @@ using LoadedPtr = std::shared_ptr<const LoadedScene>;
 
 /// What the renderer's thread has to say.
 struct News {
-  LoadedPtr loaded;           ///< the scene that is there; null: none yet
-  ShownPtr left, right;       ///< of that scene; right: by the other algorithm
+  LoadedPtr loaded;      ///< the scene that is there; null: none yet
+  ShownPtr left, right;  ///< of that scene; right: by the other algorithm
+  InsidePtr left_inside, right_inside;
   std::string phase;          ///< "reading scene.glb"; empty: nothing that takes long
   double done = 0;            ///< of the phase, 0 to 1
   std::string error;          ///< a line; empty: none

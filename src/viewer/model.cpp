@@ -102,6 +102,8 @@ void Model::take_pictures(const News& latest) {
   const bool ours = news.left && loaded && news.left->scene == loaded->number;
   left.shown = ours ? news.left : left.shown;
   right.shown = two_pictures() ? news.right : left.shown;
+  left.inside = news.left_inside;
+  right.inside = news.right_inside;
   if (!left.shown || left.shown->serial == history_serial || left.shown->statistics.frames.empty()) return;
   history_serial = left.shown->serial;
   const FrameTime& time = left.shown->statistics.frames.back();
@@ -168,6 +170,9 @@ Wish Model::wish() const {
   for (size_t id = 0; exr_wanted && id < layer_count; ++id)
     if (command.options.layers.has(LayerId(id))) options.layers.add(LayerId(id));
   if (own_view) options.view = camera.view(), options.camera.clear();
+  const bool order = left.show == Show::order || (split && right.show == Show::order);
+  const bool boxes = show_bounds && command.options.algorithm.object_hierarchy;
+  if (order || show_nodes || boxes) wish.inspect_kind = inspect_kind;
   wish.seconds = seconds;
   wish.moving = moving();
   wish.budget_ms = arguments.budget_ms;

@@ -25,6 +25,7 @@ struct Message {
 struct Side {
   Show show = Show::light;
   ShownPtr shown;
+  InsidePtr inside;  ///< where it is wished for
 };
 
 struct Model {
@@ -48,10 +49,10 @@ struct Model {
   Side left, right;
   bool split = false;
   float split_place = 0.5f;
-  AlgorithmOptions other;  ///< the right side's
-  uint32_t order_kind = 0;
+  AlgorithmOptions other;     ///< the right side's
+  uint32_t inspect_kind = 0;  ///< of the rays whose order and nodes are shown
   bool show_nodes = false, nodes_of_all = false, show_bounds = false;
-  uint32_t nodes_kind = 0, nodes_level = 1;
+  uint32_t nodes_level = 1, box_depth = 4;
 
   bool exr_wanted = false;   ///< its layers are rendered, too
   uint64_t wish_number = 0;  ///< of what the worker was asked for last

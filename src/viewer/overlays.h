@@ -9,4 +9,7 @@ namespace crsh::viewer {
 /// `heat`: what the heat scale ends at.
 void draw_overlays(const Model& model, const Layout& layout, double heat);
 
+/// Ray nodes and bounds of objects, where they are wished for.
+void draw_inside(const Model& model, const Layout& layout);
+
 }  // namespace crsh::viewer

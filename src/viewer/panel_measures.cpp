@@ -14,7 +14,8 @@ namespace {
 /// 12,345,678 in a few places: "12.3 M".
 std::string brief(double count) {
   if (count >= 1e10) return fmt::format("{:.1f} G", count / 1e9);
-  if (count >= 1e7) return fmt::format("{:.1f} M", count / 1e6);
+  if (count >= 1e8) return fmt::format("{:.0f} M", count / 1e6);
+  if (count >= 1e6) return fmt::format("{:.1f} M", count / 1e6);
   if (count >= 1e4) return fmt::format("{:.1f} k", count / 1e3);
   return fmt::format("{:.0f}", count);
 }

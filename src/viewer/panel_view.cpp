@@ -34,6 +34,32 @@ void choose_split(Model& model, Widgets& widgets) {
     model.other = preset(chosen);
 }
 
+/// How rays are bundled, and what they are tested against.
+void choose_inside(Model& model, Widgets& widgets) {
+  const bool order = model.left.show == Show::order || (model.split && model.right.show == Show::order);
+  widgets.check("ray nodes", "Ray nodes", model.show_nodes);
+  widgets.hint("Balls around where bundled rays start, cones around where they go");
+  ImGui::SameLine();
+  widgets.check("object bounds", "Object bounds", model.show_bounds);
+  widgets.hint("Spheres of meshes, or boxes of the object hierarchy where the algorithm has one");
+  if (order || model.show_nodes) {
+    std::vector<std::string> kinds;
+    for (const RayKind& kind : ray_kinds) kinds.emplace_back(kind.name);
+    std::string chosen;
+    if (widgets.choice("of rays", "of rays", kinds[model.inspect_kind], kinds, chosen))
+      model.inspect_kind = uint32_t(std::ranges::find(kinds, chosen) - kinds.begin());
+  }
+  if (model.show_nodes) {
+    int level = int(model.nodes_level);
+    if (widgets.whole("of level", "of level", level, 1, 8)) model.nodes_level = uint32_t(level);
+    widgets.check("all nodes", "all, not only under the cursor", model.nodes_of_all);
+  }
+  if (model.show_bounds && model.command.options.algorithm.object_hierarchy) {
+    int depth = int(model.box_depth);
+    if (widgets.whole("box depth", "Boxes at depth", depth, 1, 8)) model.box_depth = uint32_t(depth);
+  }
+}
+
 void choose_exposure(Model& model, Widgets& widgets) {
   float stops = model.command.exposure.value_or(0);
   if (widgets.real("exposure", "Exposure", stops, -10, 10, "%.1f stops")) model.command.exposure = stops;
@@ -45,6 +71,7 @@ void draw_view_section(Model& model, Widgets& widgets) {
   if (!widgets.header("View", "View", true)) return;
   choose_show(widgets, "show", "Show", model.left.show);
   choose_split(model, widgets);
+  choose_inside(model, widgets);
   choose_exposure(model, widgets);
   if (widgets.button("frame", "Frame all")) model.frame_all();
   ImGui::SameLine();

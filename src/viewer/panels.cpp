@@ -29,7 +29,7 @@ Layout layout_of(const Model& model, glm::vec2 window, float text) {
   layout.status = window.y > 12 * text ? text * 1.9f : 0;
   layout.bottom = layout.status * (model.animation() ? 2.0f : 1.0f);
   if (model.panels && window.x > 34 * text) layout.left = 20 * text;
-  if (model.panels && window.x > 72 * text) layout.right = 22 * text;
+  if (model.panels && window.x > 72 * text) layout.right = 23 * text;
   return layout;
 }
 

@@ -19,10 +19,10 @@ namespace {
 
 /// Words behind each command, at least.
 const std::map<std::string, size_t> commands = {
-    {"drag", 5},  {"wheel", 3},      {"double", 2},        {"move", 2},         {"key", 1},
-    {"click", 1}, {"choose", 1},     {"resize", 2},        {"minimise", 0},     {"restore", 0},
-    {"drop", 1},  {"wait", 0},       {"rest", 0},          {"frames", 1},       {"orbit", 1},
-    {"save", 1},  {"screenshot", 1}, {"print-command", 0}, {"print-memory", 0}, {"hold", 2}};
+    {"drag", 5},   {"wheel", 3},         {"double", 2},       {"move", 2},    {"key", 1},        {"click", 1},
+    {"choose", 1}, {"resize", 2},        {"minimise", 0},     {"restore", 0}, {"drop", 1},       {"wait", 0},
+    {"rest", 0},   {"frames", 1},        {"orbit", 1},        {"save", 1},    {"screenshot", 1}, {"copy", 2},
+    {"expect", 1}, {"print-command", 0}, {"print-memory", 0}, {"hold", 2}};
 
 constexpr int settling = 2;  // frames until what was done shows
 
@@ -181,12 +181,39 @@ void Script::begin_output(const Line& line) {
   steps_.push_back([](Stage& stage) { return stage.idle(); });
 }
 
+/// Waits for the next picture or error line.
+void Script::add_expect(const Line& line) {
+  const bool error = line.words[1] == "error";
+  const auto count = [error](const Stage& stage) {
+    const uint64_t serial = stage.model.left.shown ? stage.model.left.shown->serial : 0;
+    return error ? stage.model.news.error_number : serial;
+  };
+  struct Wait {
+    std::optional<uint64_t> before;
+    std::chrono::steady_clock::time_point until;
+  };
+  auto wait = std::make_shared<Wait>();
+  steps_.push_back([this, line, count, wait](Stage& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!wait->before) wait->before = count_[line.words[1]], wait->until = now + std::chrono::seconds(60);
+    if (now > wait->until) refuse(line, "it did not come");
+    return count(stage) > *wait->before;
+  });
+}
+
 void Script::begin(const Line& line) {
   const std::string& command = line.words[0];
   if (command == "drag" || command == "wheel" || command == "double" || command == "move") return begin_pointer(line);
   if (command == "resize" || command == "minimise" || command == "restore") return begin_window(line);
   if (command == "save" || command == "screenshot" || command.starts_with("print-")) return begin_output(line);
   if (command == "click") return add_click(line, line.rest);
+  if (command == "expect") return add_expect(line);
+  if (command == "copy")
+    add([this, words = line.words](Stage& stage) {
+      count_ = {{"error", stage.model.news.error_number},
+                {"picture", stage.model.left.shown ? stage.model.left.shown->serial : 0}};
+      output::write_whole(words[2], output::read_whole(words[1]));
+    });
   if (command == "orbit") return add_orbit(size_t(number(line.words[1])));
   if (command == "frames") return add_frames(size_t(number(line.words[1])));
   if (command == "choose") {

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ class Script {
   void add_frames(size_t count);
   void add_click(const Line& line, const std::string& name);
   void add_orbit(size_t count);
+  void add_expect(const Line& line);
   void move_to(glm::vec2 place);
   void press(int button, bool down);
 
@@ -57,6 +59,7 @@ class Script {
   std::vector<Line> lines_;
   size_t next_ = 0;
   std::deque<Step> steps_;
+  std::map<std::string, uint64_t> count_;  ///< of errors and pictures, when a file was copied
   ScriptedPointer pointer_{.place = {-1000, -1000}};
 };
 

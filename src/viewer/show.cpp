@@ -5,6 +5,7 @@
 
 #include "output/heat_map.h"
 #include "output/png.h"
+#include "viewer/inspection.h"
 
 namespace crsh::viewer {
 namespace {
@@ -64,6 +65,15 @@ Pixels heat(const Picture& picture, Show show, double end) {
   if (tests.empty()) return black(picture);
   return paint(picture, [&](size_t p) {
     const auto rgb = output::heat_colour(double(tests[p]) / end);
+    return Colour{rgb[0], rgb[1], rgb[2]};
+  });
+}
+
+/// From first to last on the heat scale; grey where there is no ray.
+Pixels order(const Picture& picture, const Layer& layer) {
+  return paint(picture, [&](size_t p) {
+    if (std::isnan(layer.values[p])) return Colour{24, 24, 26};
+    const auto rgb = output::heat_colour(layer.values[p]);
     return Colour{rgb[0], rgb[1], rgb[2]};
   });
 }
@@ -167,6 +177,8 @@ double heat_end(const Picture& picture, Show show) {
 Pixels in_colours(const Picture& picture, Show show, double exposure, double heat_scale) {
   if (show == Show::light) return light(picture, exposure);
   if (is_heat(show)) return heat(picture, show, std::max(heat_scale, 1.0));
+  if (const Layer* layer = picture.find(order_layer); show == Show::order)
+    return layer ? order(picture, *layer) : black(picture);
   const auto with = [&](LayerId id, auto paint_layer) {
     const Layer* layer = picture.find(picture_layer(id));
     return layer ? paint_layer(picture, *layer) : black(picture);

@@ -134,18 +134,32 @@ void Viewer::draw() {
   screenshots_.pop_front();
 }
 
+/// The hash order is a picture of its own, and coarser.
+void Viewer::paint(std::unique_ptr<gpu::Texture>& texture, const Side& side) {
+  if (side.show == Show::order && !side.inside) return;
+  const Picture& picture = side.show == Show::order ? side.inside->order : side.shown->picture;
+  write(texture, device_, in_colours(picture, side.show, painted_.exposure, heat_));
+}
+
 void Viewer::update_textures() {
   if (!model_.left.shown) return;
-  const ShownPtr& right = model_.split ? model_.right.shown : nullptr;
-  const Painted now{model_.left.shown->serial, right ? right->serial : 0, model_.left.show,
-                    model_.right.show,         model_.exposure(),         model_.split};
+  const bool right = model_.split && model_.right.shown;
+  const auto serial = [](const auto& pointer) { return pointer ? pointer->serial : 0; };
+  const Painted now{.left = model_.left.shown->serial,
+                    .right = right ? model_.right.shown->serial : 0,
+                    .left_inside = serial(model_.left.inside),
+                    .right_inside = serial(model_.right.inside),
+                    .left_show = model_.left.show,
+                    .right_show = model_.right.show,
+                    .exposure = model_.exposure(),
+                    .split = model_.split};
   if (now == painted_) return;
   painted_ = now;
   window_.settle();
   heat_ = std::max(heat_end(model_.left.shown->picture, model_.left.show),
-                   right ? heat_end(right->picture, model_.right.show) : 0);
-  write(left_, device_, in_colours(model_.left.shown->picture, model_.left.show, now.exposure, heat_));
-  if (right) write(right_, device_, in_colours(right->picture, model_.right.show, now.exposure, heat_));
+                   right ? heat_end(model_.right.shown->picture, model_.right.show) : 0);
+  paint(left_, model_.left);
+  if (right) paint(right_, model_.right);
 }
 
 /// The picture fills its place; the right one what is right of the line.

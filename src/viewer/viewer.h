@@ -31,6 +31,7 @@ class Viewer {
   void play();
   void watch();
   void update_textures();
+  void paint(std::unique_ptr<gpu::Texture>& texture, const Side& side);
   [[nodiscard]] std::vector<gpu::ShownTexture> textures(const Layout& layout) const;
   [[nodiscard]] bool finishing() const;
   void count_frame();
@@ -47,7 +48,7 @@ class Viewer {
   std::unique_ptr<gpu::Texture> left_, right_;
   struct Painted {
     bool operator==(const Painted&) const = default;
-    uint64_t left = 0, right = 0;
+    uint64_t left = 0, right = 0, left_inside = 0, right_inside = 0;
     Show left_show{}, right_show{};
     double exposure = 0;
     bool split = false;

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "assertion.h"
+
 namespace crsh::viewer {
 namespace {
 
@@ -9,10 +11,7 @@ float label_width() { return ImGui::GetFontSize() * 7.4f; }
 
 }  // namespace
 
-void Widgets::begin_frame() {
-  before_ = std::move(now_);
-  now_.clear();
-}
+void Widgets::begin_frame() { now_.clear(); }
 
 void Widgets::note(const std::string& name) {
   if (name == wanted_) {
@@ -21,12 +20,13 @@ void Widgets::note(const std::string& name) {
   }
   if (!ImGui::IsItemVisible()) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  now_[name] = {(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const bool unique = now_.emplace(name, glm::vec2((low.x + high.x) / 2, (low.y + high.y) / 2)).second;
+  CRSH_ASSERT(unique, "two widgets are called " + name);
 }
 
 std::optional<glm::vec2> Widgets::find(const std::string& name) const {
-  const auto found = before_.find(name);
-  return found == before_.end() ? std::nullopt : std::optional(found->second);
+  const auto found = now_.find(name);
+  return found == now_.end() ? std::nullopt : std::optional(found->second);
 }
 
 void Widgets::label(const char* text) {

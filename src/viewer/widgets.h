@@ -12,11 +12,11 @@ namespace crsh::viewer {
 /// Each has its label to the left, in a column. They return whether the value has changed.
 class Widgets {
  public:
-  /// Forgets what the last frame but one had.
+  /// Forgets the last frame's.
   void begin_frame();
-  /// Remembers where the widget that was made last is.
+  /// Remembers where the widget that was made last is. Names are unique.
   void note(const std::string& name);
-  /// Its middle in the last frame, where it was to be seen.
+  /// Its middle, where it was to be seen in the frame that was drawn last.
   [[nodiscard]] std::optional<glm::vec2> find(const std::string& name) const;
   /// The next frame scrolls to it.
   void scroll_to(const std::string& name) { wanted_ = name; }
@@ -33,7 +33,7 @@ class Widgets {
  private:
   void label(const char* text);
 
-  std::map<std::string, glm::vec2> now_, before_;
+  std::map<std::string, glm::vec2> now_;
   std::string wanted_;
 };
 

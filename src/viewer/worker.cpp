@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdlib>
 
 #include "error.h"
 #include "scene/hide.h"
@@ -12,14 +13,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr auto shader_looks = std::chrono::milliseconds(400);
+
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 }  // namespace
 
-Worker::Worker(gpu::Device& device, std::function<void()> wake)
-    : device_(device), wake_(std::move(wake)), thread_([this] { run(); }) {}
+Worker::Worker(gpu::Device& device, std::function<void()> wake) : device_(device), wake_(std::move(wake)) {
+  if (const char* folder = std::getenv("CRSH_SHADER_DIR"); folder && *folder) shaders_.emplace(folder);
+  thread_ = std::thread([this] { run(); });
+}
 
 Worker::~Worker() {
   {
@@ -60,16 +65,18 @@ bool Worker::more_to_do() const {
 /// Waits for something to do; returns false when there never will be.
 bool Worker::take_wish() {
   std::unique_lock lock(mutex_);
-  if (!more_to_do() && version_ == taken_) {
+  if (!more_to_do() && version_ == taken_ && !news_.rests) {
     news_.rests = true;
     lock.unlock(), wake_(), lock.lock();
   }
-  changed_.wait(lock, [this] { return quit_ || version_ != taken_ || more_to_do(); });
+  const auto something = [this] { return quit_ || version_ != taken_ || more_to_do(); };
+  if (shaders_) changed_.wait_for(lock, shader_looks, something);
+  else changed_.wait(lock, something);
   if (version_ != taken_) {
     wish_ = wanted_;
     taken_ = version_;
     samples_ = 0;
-    right_done_ = given_up_ = false;
+    right_done_ = inspected_ = given_up_ = false;
   }
   return !quit_;
 }
@@ -77,6 +84,7 @@ bool Worker::take_wish() {
 void Worker::run() {
   while (take_wish()) {
     try {
+      look_at_shaders();
       if (more_to_do()) fulfil();
     } catch (const Cancelled&) {
       samples_ = 0;
@@ -93,6 +101,10 @@ void Worker::run() {
 
 void Worker::fail(const std::string& message) {
   given_up_ = true;
+  say_error(message);
+}
+
+void Worker::say_error(const std::string& message) {
   {
     const std::lock_guard lock(mutex_);
     news_.error = message;
@@ -114,10 +126,55 @@ void Worker::say(const std::string& phase, double done) {
 void Worker::fulfil() {
   if (wish_.load != loaded_number_) return load();
   if (!renderer_ || hidden_ != wish_.options.hidden) make_renderer();
+  if (wish_.inspect_kind && !inspected_ && !wish_.moving) return inspect_sides();
   if (samples_ == 0) render(false);
   else if (wish_.other && !right_done_) render(true);
   else refine();
-  if (wish_.moving && wish_.other) render(true);
+  if (!wish_.moving) return;
+  if (wish_.other) render(true);
+  if (wish_.inspect_kind) inspect_sides();
+}
+
+/// Before the fine picture, whose samples could not go on after it.
+void Worker::inspect_sides() {
+  const size_t lights = std::max({wish_.options.lights.size(), loaded_->scene.lights.size(), size_t(1)});
+  InspectIn in{.options = wish_.options,
+               .seconds = wish_.seconds,
+               .kind = *wish_.inspect_kind,
+               .lights = uint32_t(lights),
+               .moving = wish_.moving};
+  const auto look = [&] {
+    auto made = std::make_shared<Inspection>(inspect(*renderer_, in));
+    made->wish = taken_;
+    made->serial = ++serial_;
+    return made;
+  };
+  const InsidePtr left = look();
+  InsidePtr right = left;
+  if (wish_.other) in.options.algorithm = *wish_.other, right = look();
+  inspected_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    news_.left_inside = left, news_.right_inside = right;
+  }
+  wake_();
+}
+
+/// CRSH_SHADER_DIR: what a developer has edited takes the place of what is built in.
+void Worker::look_at_shaders() {
+  if (!shaders_ || Clock::now() - shaders_seen_ < shader_looks) return;
+  shaders_seen_ = Clock::now();
+  std::vector<std::string> in_use = device_.programs_in_use();
+  in_use.insert(in_use.end(), {"raster/surface.vert", "raster/surface.frag"});
+  try {
+    if (!shaders_->look(in_use)) return;
+  } catch (const UserError& error) {
+    return say_error(error.what());
+  }
+  renderer_.reset();
+  device_.forget_programs();
+  samples_ = 0;
+  right_done_ = inspected_ = given_up_ = false;
 }
 
 void Worker::load() {
@@ -132,6 +189,7 @@ void Worker::load() {
     const std::lock_guard lock(mutex_);
     news_.loaded = loaded;
     news_.left = news_.right = nullptr;
+    news_.left_inside = news_.right_inside = nullptr;
   }
   say("", 0);
 }

@@ -10,6 +10,7 @@
 #include "frame/renderer.h"
 #include "viewer/job.h"
 #include "viewer/pace.h"
+#include "viewer/shader_folder.h"
 
 namespace crsh::viewer {
 
@@ -35,9 +36,12 @@ class Worker {
   void make_renderer();
   void render(bool right);
   void refine();
+  void inspect_sides();
+  void look_at_shaders();
   void publish(bool right, Picture picture, RenderOptions options, bool fine, double milliseconds);
   void say(const std::string& phase, double done);
   void fail(const std::string& message);
+  void say_error(const std::string& message);
   [[nodiscard]] bool outdated() const;
   [[nodiscard]] bool more_to_do() const;
 
@@ -61,7 +65,10 @@ class Worker {
   std::unique_ptr<Renderer> renderer_;
   Pace pace_;
   uint32_t samples_ = 0;  ///< of the fine picture; 0: none yet
-  bool right_done_ = false, given_up_ = false;
+  bool right_done_ = false, inspected_ = false, given_up_ = false;
+
+  std::optional<ShaderFolder> shaders_;  ///< CRSH_SHADER_DIR
+  std::chrono::steady_clock::time_point shaders_seen_{};
 
   std::thread thread_;
 };
