@@ -54,6 +54,13 @@ uint32_t most_children(Renderer::State& s, const std::vector<rays::BatchPlan>& p
   return static_cast<uint32_t>(slots);
 }
 
+/// Their buffers go: what is recorded may still use them.
+void drop_children(Renderer::State& s, shading::Generation& generation) {
+  if (generation.children.empty()) return;
+  s.recorder.submit();
+  generation.children.clear();
+}
+
 /// Steps 3 to 7 of one bounce: traces all rays of generation k, shades, and yields generation k + 1.
 void trace_bounce(Renderer::State& s, uint32_t bounce) {
   shading::Surfaces& surfaces = s.paths.surfaces(bounce);
@@ -62,7 +69,7 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
   const std::vector<rays::BatchPlan> plans =
       rays::plan_batches({.surfaces = surfaces.count, .lights = s.gpu_scene.light_count,
                           .kinds = rays::kinds_at(s.options, bounce), .mixed = s.options.algorithm.mixed_batches});
-  generation.children.clear();
+  drop_children(s, generation);
   const uint32_t room = most_children(s, plans);
   const auto closest_plans = std::count_if(plans.begin(), plans.end(), casts_closest);
   next.count = 0;
@@ -88,7 +95,7 @@ void gather_generations(Renderer::State& s, uint32_t generations) {
   s.recorder.stage(gpu::Stage::shading);
   for (uint32_t k = generations; k-- > 0;) {
     shading::Generation& generation = s.paths.generations[k];
-    if (k + 1 == generations) generation.children.clear();
+    if (k + 1 == generations) drop_children(s, generation);
     for (shading::Children& children : generation.children) children.totals = &s.paths.gathered[k + 1].total;
     const bool parts = k == 0 && s.film.layers.has_any({LayerId::reflection, LayerId::refraction});
     shading::gather(s.recorder, generation, s.options.background.value_or(glm::vec3(0)), s.paths.gathered[k],

@@ -20,7 +20,7 @@ RayNode of_bound(const shared::Node& node) {
   return {.centre = glm::vec3(node.sphere),
           .radius = node.sphere.w,
           .axis = glm::vec3(node.cone),
-          .half_angle = tangent < 1e30f ? std::atan(tangent) : float(std::numbers::pi) / 2};
+          .half_angle = tangent < 1e30f ? std::atan(tangent) : float(std::numbers::pi)};
 }
 
 /// The ball around the box of origins, and the cone around the box of directions.

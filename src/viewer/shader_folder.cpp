@@ -102,7 +102,7 @@ ShaderFolder::ShaderFolder(fs::path root) : root_(std::move(root)), built_(fs::l
 ShaderFolder::Time ShaderFolder::newest(const fs::path& file, int depth) {
   std::error_code missing;
   Time time = fs::last_write_time(file, missing);
-  if (missing || depth > 16) return {};
+  if (missing || depth > 16) return Time::min();
   Known& known = files_[file.string()];
   if (known.time != time) known = {time, includes_of(file)};
   for (const std::string& include : known.includes) time = std::max(time, newest(root_ / include, depth + 1));
@@ -133,7 +133,7 @@ std::vector<uint32_t> ShaderFolder::compile(const std::string& name) {
 
 bool ShaderFolder::look(const std::vector<std::string>& in_use) {
   std::map<std::string, Time> times;
-  Time latest{};
+  Time latest = Time::min();
   for (const std::string& name : in_use) {
     const Name parts = parsed(name);
     Time time = newest(root_ / parts.source);
@@ -150,7 +150,7 @@ bool ShaderFolder::look(const std::vector<std::string>& in_use) {
     if (const std::string fault = gpu::misfit(name, made[name]); !fault.empty())
       throw UserError(fmt::format("{}: {}; the old one stays: such a change needs a build", name, fault));
   }
-  failed_ = {};
+  failed_ = Time::min();
   for (auto& [name, words] : made) gpu::replace_spirv(name, std::move(words));
   for (const auto& [name, time] : times) done_[name] = time;
   return true;

@@ -27,13 +27,13 @@ class ShaderFolder {
   [[nodiscard]] std::vector<uint32_t> compile(const std::string& name);
 
   struct Known {
-    Time time{};
+    Time time = Time::min();
     std::vector<std::string> includes;
   };
   std::filesystem::path root_;
   Time built_;  ///< when this program was
   std::map<std::string, Known> files_;
-  Time failed_{};                     ///< the newest file of what was wrong
+  Time failed_ = Time::min();         ///< the newest file of what was wrong
   std::map<std::string, Time> done_;  ///< by shader: the newest file of what was compiled
 };
 

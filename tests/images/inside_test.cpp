@@ -45,6 +45,17 @@ TEST_CASE("a renderer with changed options renders as a new one") {
   CHECK(difference_of_counters(renderer.statistics(), fresh.statistics) == "");
 }
 
+TEST_CASE("a renderer whose kinds of rays change renders as a new one") {
+  Renderer renderer(device(), own_scene("cornell"), small());
+  (void)renderer.render(0);
+  for (const std::array<bool, kind_count>& rays : {std::array{true, false, true}, {true, true, true}, {false, true, false}, {true, false, false}}) {
+    RenderOptions options = small();
+    options.rays = rays;
+    renderer.change(options);
+    CHECK(difference(renderer.render(0), render(own_scene("cornell"), options).picture) == "");
+  }
+}
+
 TEST_CASE("options that are wrong change nothing") {
   Renderer renderer(device(), own_scene("cornell"), small());
   const Picture before = renderer.render(0);

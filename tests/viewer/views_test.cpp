@@ -15,7 +15,8 @@ using test::quick;
 using test::TemporaryFolder;
 using test::view;
 
-const std::string start = "resize 700 500\nwait\n";
+const std::vector<std::string> still = {"--bounces", "0", "--samples", "1", "--quiet"};
+const std::string start = "resize 620 420\nwait\n";
 
 /// The picture between panels and the line of state.
 std::vector<uint32_t> picture_of(const std::string& path) {
@@ -31,12 +32,12 @@ std::vector<uint32_t> picture_of(const std::string& path) {
 }
 
 /// Pictures after each part of a script; all of them differ.
-void check_all_differ(const std::vector<std::string>& parts, const std::string& scene = cornell) {
+void check_all_differ(const std::vector<std::string>& parts, const std::vector<std::string>& options = still) {
   const TemporaryFolder folder;
   std::string script = start;
   for (size_t i = 0; i < parts.size(); ++i)
     script += parts[i] + "\nwait\nframes 3\nscreenshot " + (folder / std::to_string(i)) + "\n";
-  const test::Outcome outcome = view(scene, script);
+  const test::Outcome outcome = view(cornell, script, options);
   CAPTURE(outcome.err);
   REQUIRE(outcome.status == 0);
   CHECK(outcome.err.empty());
@@ -64,13 +65,14 @@ TEST_CASE("nodes are drawn for the pixel under the cursor or for all, by level; 
 }
 
 TEST_CASE("the line compares two algorithms and is dragged") {
-  check_all_differ({"choose show=tests", "click split", "choose right algorithm=brute", "drag left 490 200 560 200",
+  check_all_differ({"choose show=tests", "click split", "choose right algorithm=brute", "drag left 450 200 520 200",
                     "choose right show=normal"});
 }
 
 TEST_CASE("hidden objects, other lights and other rays change the picture") {
   check_all_differ({"click View\nclick Algorithm\nclick Total\nclick Time\nclick Counters\nclick Rays",
-                    "click reflection", "click add light", "click Rays\nclick Scene\nclick object 0"});
+                    "click reflection", "click add light", "click Rays\nclick Scene\nclick object 6"},
+                   quick);
 }
 
 }  // namespace
