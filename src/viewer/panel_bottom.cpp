@@ -95,7 +95,8 @@ void draw_messages(Model& model, const Layout& layout) {
   std::erase_if(model.messages, [&](const Message& message) { return message.until < now; });
   if (model.messages.empty()) return;
   const float width = layout.high().x - layout.low().x;
-  ImGui::SetNextWindowPos({layout.low().x + 8, layout.high().y - 8}, ImGuiCond_Always, {0, 1});
+  const float labels = model.split ? 2.6f * ImGui::GetFontSize() : 0;  // of the two sides
+  ImGui::SetNextWindowPos({layout.low().x + 8, layout.high().y - 8 - labels}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(width - 16, 1.0f), 10000});
   ImGui::SetNextWindowBgAlpha(0.85f);
   if (ImGui::Begin("messages", nullptr, plain | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs)) {

@@ -30,7 +30,7 @@ void choose_split(Model& model, Widgets& widgets) {
   if (!model.split) return;
   choose_show(widgets, "right show", "Right: show", model.right.show);
   std::string chosen;
-  if (widgets.choice("right algorithm", "algorithm", model.other.preset, preset_names(), chosen))
+  if (widgets.choice("right algorithm", "Right: traced by", model.other.preset, preset_names(), chosen))
     model.other = preset(chosen);
 }
 

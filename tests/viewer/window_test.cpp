@@ -1,6 +1,9 @@
 // The window: it opens, resizes, minimises, closes, and says what is wrong.
 
 #include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <cstdio>
 
 #include "output/image.h"
 #include "output/whole_file.h"
@@ -78,6 +81,19 @@ TEST_CASE("F5 loads the scene again and keeps the view") {
   const auto lines = lines_with(outcome.out, "crsh render");
   REQUIRE(lines.size() == 2);
   CHECK(lines[0] == lines[1]);
+}
+
+TEST_CASE("--watch loads the scene again when its file changes") {
+  const std::string path =
+      "/tmp/crsh-watched-" + std::to_string(::getpid()) + ".glb";  // a script's words have no spaces
+  output::write_whole(path, output::read_whole(cornell));
+  const std::string script = "resize 600 200\nwait\nprint-command\ncopy " + test::moving + " " + path +
+                             "\nexpect picture\nwait\nprint-command\n";
+  const test::Outcome outcome = view(path, script, {"--bounces", "0", "--samples", "1", "--quiet", "--watch"});
+  std::remove(path.c_str());
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 0);
+  CHECK(lines_with(outcome.out, "crsh render").size() == 2);
 }
 
 TEST_CASE("wrong usage is one line and status 2") {
