@@ -99,6 +99,7 @@ void Viewer::frame() {
     file_time_ = time_of(path);
   }
   take_news();
+  fit_window();
   if (script_ && !script_->done()) {
     Script::Stage stage{model_,
                         window_,
@@ -111,6 +112,21 @@ void Viewer::frame() {
   draw();
   save_what_is_ready();
   count_frame();
+}
+
+/// --size: once the scene says which panels there are, the window leaves so much to the picture.
+void Viewer::fit_window() {
+  const RenderOptions& asked = model_.arguments.render.options;
+  if (fitted_ || !model_.loaded) return;
+  fitted_ = true;
+  if (!asked.width) return;
+  const glm::vec2 size = glm::vec2(asked.width, asked.height) / window_.pixel_scale();
+  glm::vec2 window = size;
+  for (int i = 0; i < 4; ++i) {  // wider windows have more panels
+    const Layout layout = layout_of(model_, window, ImGui::GetIO().Fonts->Fonts[0]->FontSize);
+    window = size + window - (layout.high() - layout.low());
+  }
+  window_.set_size(int(std::lround(window.x)), int(std::lround(window.y)));
 }
 
 void Viewer::draw() {

@@ -26,6 +26,7 @@ class Viewer {
   void frame();
   void take_news();
   void draw();
+  void fit_window();
   void act(const std::vector<Action>& actions);
   void save_what_is_ready();
   void play();
@@ -56,7 +57,7 @@ class Viewer {
   Painted painted_;
   double heat_ = 1;
   uint64_t shown_error_ = 0, fine_frames_ = 0;
-  bool finished_ = false;
+  bool finished_ = false, fitted_ = false;
   std::filesystem::file_time_type file_time_{};
   std::chrono::steady_clock::time_point last_frame_, last_look_;
   Worker worker_;  ///< ends before all else

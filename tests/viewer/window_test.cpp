@@ -96,6 +96,13 @@ TEST_CASE("--watch loads the scene again when its file changes") {
   CHECK(lines_with(outcome.out, "crsh render").size() == 2);
 }
 
+TEST_CASE("--size is the picture's, not the window's") {
+  const test::Outcome outcome = view(test::moving, "frames 10\nwait\nprint-command\n",
+                                     {"--bounces", "0", "--samples", "1", "--quiet", "--size", "320x200"});
+  check_well(outcome);
+  CHECK(outcome.out.find("--size 320x200") != std::string::npos);
+}
+
 TEST_CASE("wrong usage is one line and status 2") {
   for (const std::vector<std::string>& options :
        std::vector<std::vector<std::string>>{{"--budget", "soon"}, {"--no-such"}, {"--key", "file"}}) {
