@@ -1,10 +1,12 @@
 #version 460
 // Where nodes begin when they are cut (--nodes cut): where their coherence ends. A lane walks a run of children of one
-// segment and begins a node where the last one is full, and where the direction's octant or the angle to the node's
-// first ray changes too much. These are the head flags of section 3.2.3 for nodes instead of chunks.
+// segment and begins a node where the last one is full, and where the direction's octant changes, or the direction or the
+// origin is too far from those of the node's first ray. These are the head flags of section 3.2.3 for nodes instead of
+// chunks. A child that is a node itself is taken for its first ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 16) in;
+#include "lib/exact.glsl"
 #include "lib/invocation.glsl"
 #include "shared/limits.h"
 #include "shared/ray.h"
@@ -15,31 +17,32 @@ layout(push_constant, scalar) uniform Push {
   uint arity;
   uint rays_below;   // 1: children are rays themselves (level 1)
   float chord;       // of the largest angle to the node's first ray
+  float reach;       // largest distance from its origin, metres
 };
 layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };                // in sorted order
 layout(binding = 1, scalar) readonly buffer RaysBelow { uvec2 rays_of_child[]; };  // level 1: not read
 layout(binding = 2, scalar) writeonly buffer Heads { uint heads[]; };            // 1: a node begins at this child
 layout(binding = 3, scalar) writeonly buffer Ends { uint ends[]; };              // where the node that begins here ends
 
-bool goes_along(vec3 first, vec3 direction) {
-  bvec3 same_side = equal(lessThan(first, vec3(0.0)), lessThan(direction, vec3(0.0)));
-  precise vec3 apart = direction - first;
-  precise float squared = (apart.x * apart.x + apart.y * apart.y) + apart.z * apart.z;
-  return all(same_side) && squared <= chord * chord;
+bool goes_along(Ray first, Ray ray) {
+  bvec3 same_side = equal(lessThan(first.direction.xyz, vec3(0.0)), lessThan(ray.direction.xyz, vec3(0.0)));
+  precise vec3 turned = ray.direction.xyz - first.direction.xyz;
+  precise vec3 moved = ray.origin.xyz - first.origin.xyz;
+  return all(same_side) && exact_length(turned) <= chord && exact_length(moved) <= reach;
 }
 
 void main() {
   uint begin = invocation_index() * cut_run;
   if (begin >= children) return;
   uint end = min(begin + cut_run, children);
-  vec3 first = vec3(0.0);
+  Ray first = Ray(vec4(0.0), vec4(0.0));
   uint head = begin;
   for (uint i = begin; i < end; ++i) {
     uint child = first_child + i;
-    vec3 direction = rays[rays_below == 1u ? child : rays_of_child[child].x].direction.xyz;
-    bool joins = i > begin && i - head < arity && goes_along(first, direction);
+    Ray ray = rays[rays_below == 1u ? child : rays_of_child[child].x];
+    bool joins = i > begin && i - head < arity && goes_along(first, ray);
     heads[child] = joins ? 0u : 1u;
-    first = joins ? first : direction;
+    if (!joins) first = ray;
     head = joins ? head : i;
     ends[first_child + head] = child + 1u;
   }

@@ -7,6 +7,7 @@
 #include "shared/ray.h"
 
 #define BOUND Slab
+#define BOUND_OF_WORDS(word) Slab(word(0), word(1), word(2), word(3), word(4), word(5))
 layout(constant_id = 9) const uint bound_bytes = 96;
 layout(constant_id = 10) const uint bound_merge_fits = 1;  // merging loses nothing
 
@@ -115,4 +116,48 @@ bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3
   precise vec3 high = max(max(a, b), c) + pad;
   float enter;
   return bound_may_hit_box(node, interval, low, high, use_interval, enter);
+}
+
+/// What tests against boxes need of a node, worked out once where many follow: the object hierarchy's walk. Along an axis
+/// rays come into a box at its near plane, from the origin that is nearest to it and as the quickest of them, and leave at
+/// the far one as the slowest. Where some go forward and some backward, they may come in at once and need not leave.
+struct ReadySlab {
+  bvec3 near_is_low;
+  vec3 near_origin;
+  vec3 near_inverse;
+  vec3 far_origin;
+  vec3 far_inverse;
+  vec3 leave_late;  // 3e38 where rays need not leave
+  vec3 low;         // of all that lies between origins and ends
+  vec3 high;
+};
+
+ReadySlab slab_ready(Slab node, bool use_interval) {
+  vec3 inverse_low = safe_inverse(node.direction_low.xyz), inverse_high = safe_inverse(node.direction_high.xyz);
+  bvec3 forward = greaterThanEqual(node.direction_low.xyz, vec3(0.0));
+  bvec3 mixed = bvec3(uvec3(not(forward)) * uvec3(greaterThanEqual(node.direction_high.xyz, vec3(0.0))));
+  return ReadySlab(forward, mix(node.origin_low.xyz, node.origin_high.xyz, forward),
+                   mix(mix(inverse_low, inverse_high, forward), vec3(0.0), mixed),
+                   mix(node.origin_high.xyz, node.origin_low.xyz, forward), mix(inverse_high, inverse_low, forward),
+                   mix(vec3(-slab_wide), vec3(slab_wide), mixed),
+                   use_interval ? min(node.origin_low.xyz, node.end_low.xyz) : vec3(-slab_wide),
+                   use_interval ? max(node.origin_high.xyz, node.end_high.xyz) : vec3(slab_wide));
+}
+
+/// Whether a ray of the node can be within low .. high before `reach`, and from which distance on.
+bool slab_ready_may_hit_box(ReadySlab node, float reach, vec3 low, vec3 high, out float enter) {
+  precise vec3 near3 = (mix(high, low, node.near_is_low) - node.near_origin) * node.near_inverse;
+  precise vec3 far3 = (mix(low, high, node.near_is_low) - node.far_origin) * node.far_inverse;
+  vec3 leave3 = max(far3, node.leave_late);
+  enter = max(max(max(near3.x, near3.y), near3.z), 0.0);
+  precise float last = min(min(min(leave3.x, leave3.y), leave3.z), reach) * slab_slack;
+  return enter <= last && all(lessThanEqual(node.low, high)) && all(greaterThanEqual(node.high, low));
+}
+
+/// The triangle's own padded box; its padding by the origins stands in the node.
+bool slab_ready_may_hit_corners_box(ReadySlab node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
+  precise vec3 pad = vec3(slab_pad * max(max(largest(a), largest(b)), largest(c)));
+  precise vec3 low = min(min(a, b), c) - pad;
+  precise vec3 high = max(max(a, b), c) + pad;
+  return slab_ready_may_hit_box(node, reach, low, high, enter);
 }

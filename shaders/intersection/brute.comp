@@ -28,15 +28,16 @@ void main() {
   bool present = i < ray_count;
   uint id = first_ray + min(i, ray_count - 1u);
   Ray ray = rays[id];
+  Shear shear = shear_of(ray.direction.xyz);
   uvec4 hit = hits[id];
   uint tests = 0u;
   bool together = walk_together(first_triangle, triangle_count);
   for (uint own_end = together ? 0u : triangle_count; tests < own_end; ++tests)
-    hit = meet(hit, ray, load_triangle(first_triangle + tests));
+    hit = meet(hit, ray, shear, load_triangle(first_triangle + tests));
   for (uint first = tests; first < triangle_count; first += gl_SubgroupSize) {
     Loaded mine = load_triangle(first_triangle + min(first + gl_SubgroupInvocationID, triangle_count - 1u));
     uint loaded = min(gl_SubgroupSize, triangle_count - first);
-    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, passed_round(mine, k));
+    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, shear, passed_round(mine, k));
     tests += loaded;
   }
   if (present) hits[id] = hit;

@@ -39,17 +39,18 @@ void main() {
   position = min(position, node_rays.y - 1u);
   uint begin = bases[first_base + place] - pairs_before, end = bases[first_base + place + 1u] - pairs_before;
   Ray ray = rays[position];
+  Shear shear = shear_of(ray.direction.xyz);
   uint id = order[position];
   uvec4 hit = hits[id];
 
   bool together = walk_together(begin, end);
   uint own_end = together || !present ? begin : end;
-  for (uint pair = begin; pair < own_end; ++pair) hit = meet(hit, ray, load_triangle(pairs[pair].triangle));
+  for (uint pair = begin; pair < own_end; ++pair) hit = meet(hit, ray, shear, load_triangle(pairs[pair].triangle));
   uint common_end = together ? end : begin;
   for (uint pair = begin; pair < common_end; pair += gl_SubgroupSize) {
     Loaded mine = load_triangle(pairs[min(pair + gl_SubgroupInvocationID, end - 1u)].triangle);
     uint loaded = min(gl_SubgroupSize, end - pair);
-    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, passed_round(mine, k));
+    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, shear, passed_round(mine, k));
   }
 
   if (present) hits[id] = hit;

@@ -34,21 +34,27 @@ Loaded load_triangle(uint triangle) {
   return Loaded(triangle, corner_a[triangle], corner_b[triangle], corner_c[triangle]);
 }
 
+/// The same where the corners are those in leaf order (shared/object.h).
+Loaded load_leaf_triangle(uint place) {
+  vec4 c = corner_c[place];
+  return Loaded(floatBitsToUint(c.w), corner_a[place], corner_b[place], c);
+}
+
 /// What lane k of the subgroup has loaded.
 Loaded passed_round(Loaded mine, uint k) {
   return Loaded(FROM_LANE(mine.id, k), FROM_LANE(mine.a, k),
                 vec4(FROM_LANE(mine.b.xyz, k), 0.0), vec4(FROM_LANE(mine.c.xyz, k), 0.0));
 }
 
-/// The hit of `ray` after it has been tested against a triangle.
-uvec4 meet(uvec4 hit, Ray ray, Loaded loaded) {
+/// The hit of `ray`, whose direction has this shear, after it has been tested against a triangle.
+uvec4 meet(uvec4 hit, Ray ray, Shear shear, Loaded loaded) {
   uint triangle = loaded.id;
   vec4 a = loaded.a, b = loaded.b, c = loaded.c;
   uint flags = floatBitsToUint(a.w);
   bool shadow = uint(ray.direction.w) == kind_shadow;
   bool cull_back = !shadow && (flags & triangle_cull_back) != 0u;
   float t;
-  bool met = hit_triangle(ray.origin.xyz, ray.direction.xyz, ray.origin.w, a.xyz, b.xyz, c.xyz, cull_back, t);
+  bool met = hit_triangle(ray.origin.xyz, ray.direction.xyz, shear, ray.origin.w, a.xyz, b.xyz, c.xyz, cull_back, t);
 
   float best = uintBitsToFloat(hit.x);
   bool closer = !shadow && met && (t < best || (t == best && triangle < hit.y));

@@ -18,21 +18,25 @@ layout(push_constant, scalar) uniform Push {
   uint triangle_counter;
   uint box_account;  // of ray 0
   uint triangle_account;
+  uint listed;       // 1: rays are those of the list
 };
 layout(binding = 9, scalar) writeonly buffer Left { uint left[]; };    // a ray of the segment: 1 where it is left
 layout(binding = 10, scalar) buffer LeftCount { uint left_count[]; };
-#define ACCOUNT_BINDING 11
+layout(binding = 11, scalar) readonly buffer List { uint list[]; };    // rays, counted from first_ray
+#define ACCOUNT_BINDING 12
 #include "lib/account.glsl"
 
 void main() {
   uint i = first + invocation_index();
   if (i >= end) return;
-  uint id = first_ray + i;
+  uint place = i;
+  if (listed == 1u) place = list[i];
+  uint id = first_ray + place;
   Ray ray = rays[id];
   Walk walk = Walk(0u, 0u, hits[id], 0u, 0u);
   walk_on(walk, ray, uint(ray.direction.w) == kind_shadow);
   bool done = walk.next == none;
-  left[i] = done ? 0u : 1u;
+  left[place] = done ? 0u : 1u;
   for (bool counted = !done; counted; counted = false) atomicAdd(left_count[0], 1u);
   if (done) hits[id] = walk.hit;
   uint box_tests = done ? walk.box_tests : 0u, triangle_tests = done ? walk.triangle_tests : 0u;

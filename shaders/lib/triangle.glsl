@@ -78,21 +78,32 @@ bool inside_chord(vec3 origin, vec3 direction, float t, vec3 centre, float radiu
   return left >= 0.0 && distance_to_middle <= reach;
 }
 
-/// Components turned so that the largest of `direction` comes last; handedness stays.
-vec3 turned(vec3 v, vec3 direction) {
+/// How a ray sees corners: components are turned so that the direction's largest one comes last, handedness stays; and
+/// sheared along it. Worked out once a ray: lavapipe moves nothing out of loops.
+struct Shear {
+  bool x_largest;
+  bool y_largest;
+  float depth;  // the direction's largest component
+  vec2 slope;   // the others, for each unit of it
+};
+
+vec3 turned(vec3 v, Shear shear) { return shear.x_largest ? v.yzx : shear.y_largest ? v.zxy : v; }
+
+Shear shear_of(vec3 direction) {
   vec3 size = abs(direction);
-  return size.x > size.y && size.x > size.z ? v.yzx : size.y > size.z ? v.zxy : v;
+  Shear shear = Shear(size.x > size.y && size.x > size.z, size.y > size.z, 0.0, vec2(0.0));
+  vec3 d = turned(direction, shear);
+  precise vec2 slope = d.xy / d.z;
+  return Shear(shear.x_largest, shear.y_largest, d.z, slope);
 }
 
 /// A corner as the ray sees it: z is its depth along the direction's largest component, and the others are sheared so
 /// that the ray passes through (0, 0). It is rounded for the corner alone, so all triangles around it agree where it is
 /// (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013).
-vec3 seen_from(vec3 origin, vec3 direction, vec3 corner) {
+vec3 seen_from(vec3 origin, Shear shear, vec3 corner) {
   precise vec3 from_origin = corner - origin;
-  vec3 p = turned(from_origin, direction);
-  vec3 d = turned(direction, direction);
-  precise vec2 shear = d.xy / d.z;
-  precise vec2 flattened = p.xy - shear * p.z;
+  vec3 p = turned(from_origin, shear);
+  precise vec2 flattened = p.xy - shear.slope * p.z;
   return vec3(flattened, p.z);
 }
 
@@ -117,15 +128,17 @@ bool inside_bounds(vec3 origin, vec3 direction, float t, vec3 a, vec3 b, vec3 c)
   return inside_slabs(origin, direction, t, low, high) && inside_chord(origin, direction, t, sphere.xyz, radius);
 }
 
-/// Whether the ray hits the triangle, and at which t. `cull_back`: the triangle's back lets the ray pass.
-bool hit_triangle(vec3 origin, vec3 direction, float tmax, vec3 a, vec3 b, vec3 c, bool cull_back, out float t) {
-  vec3 sa = seen_from(origin, direction, a), sb = seen_from(origin, direction, b), sc = seen_from(origin, direction, c);
+/// Whether the ray hits the triangle, and at which t. `shear` is the direction's. `cull_back`: the triangle's back lets
+/// the ray pass.
+bool hit_triangle(vec3 origin, vec3 direction, Shear shear, float tmax, vec3 a, vec3 b, vec3 c, bool cull_back,
+                  out float t) {
+  vec3 sa = seen_from(origin, shear, a), sb = seen_from(origin, shear, b), sc = seen_from(origin, shear, c);
   vec3 weights = edge_weights(sa, sb, sc);
   bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
 
   // Depth is a mean of the corners' depths: t cannot leave the triangle, however it grazes the ray.
   precise float sum = (weights.x + weights.y) + weights.z;
-  precise float towards = sum * turned(direction, direction).z;  // negative: the ray meets the front
+  precise float towards = sum * shear.depth;  // negative: the ray meets the front
   precise float depth = (weights.x * sa.z + weights.y * sb.z) + weights.z * sc.z;
   precise float at = depth / towards;
   t = at;
@@ -141,8 +154,8 @@ bool hit_triangle(vec3 origin, vec3 direction, float tmax, vec3 a, vec3 b, vec3 
 
 /// Barycentric weights of a, b, c, summing to 1, where the ray meets the triangle (thirds for one without area).
 vec3 barycentrics(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
-  vec3 weights = edge_weights(seen_from(origin, direction, a), seen_from(origin, direction, b),
-                              seen_from(origin, direction, c));
+  Shear shear = shear_of(direction);
+  vec3 weights = edge_weights(seen_from(origin, shear, a), seen_from(origin, shear, b), seen_from(origin, shear, c));
   precise float sum = (weights.x + weights.y) + weights.z;
   precise vec3 result = sum != 0.0 ? weights / sum : vec3(1.0 / 3.0);
   return result;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "error.h"
 
 namespace crsh {
@@ -64,10 +66,24 @@ AlgorithmOptions crsh_best() {
   return options;
 }
 
+/// Nodes of rays through the object hierarchy. Here nodes may be small: they are not tested against the whole scene.
+AlgorithmOptions crsh_bvh() {
+  AlgorithmOptions options = crsh_best();
+  options.preset = "crsh-bvh";
+  options.object_hierarchy = true;
+  options.mesh_culling = false;
+  options.levels = {2, 2, 2};
+  options.ray_order = RayOrder::tiles;
+  options.cut_angle = 0.04f;
+  options.cut_distance = 0.003f;
+  options.keys[shared::kind_reflection] = options.keys[shared::kind_refraction] = "origin-direction";
+  return options;
+}
+
 }  // namespace
 
 const std::vector<std::string>& preset_names() {
-  static const std::vector<std::string> names = {"brute", "bvh", "rah", "crsh-2017", "crsh"};
+  static const std::vector<std::string> names = {"brute", "bvh", "rah", "crsh-2017", "crsh", "crsh-bvh"};
   return names;
 }
 
@@ -78,7 +94,16 @@ AlgorithmOptions preset(const std::string& name) {
   if (name == "rah") return rah();
   if (name == "crsh-2017") return crsh_2017();
   if (name == "crsh") return crsh_best();
-  throw UserError(fmt::format("no such algorithm: choose {}, {}", fmt::join(preset_names(), ", "), ray_query_preset), Exit::usage);
+  if (name == "crsh-bvh") return crsh_bvh();
+  throw UserError(fmt::format("no such algorithm: choose {}, {}", fmt::join(preset_names(), ", "), ray_query_preset),
+                  Exit::usage);
+}
+
+void require_sound(const AlgorithmOptions& options) {
+  const bool groups_of_groups = std::ranges::any_of(options.levels, [](uint32_t levels) { return levels > 2; });
+  if (options.tracing == Tracing::nodes && options.object_hierarchy && groups_of_groups)
+    throw UserError(fmt::format("--algorithm {} has 1 or 2 levels of nodes: give --levels 2", options.preset),
+                    Exit::usage);
 }
 
 }  // namespace crsh

@@ -38,27 +38,30 @@ enum class Tracing { nodes, brute, single_rays, ray_query };
 /// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
 struct AlgorithmOptions {
   bool operator==(const AlgorithmOptions&) const = default;
-  std::string preset = "crsh";
+  std::string preset = "crsh-bvh";
   Tracing tracing = Tracing::nodes;           ///< brute: every ray against every triangle. Unless nodes: no switch matters
   bool object_hierarchy = false;             ///< there is one over the triangles (objects/)
   std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
   RayOrder ray_order = RayOrder::scanline;
   bool compression = true;
   NodeCut nodes = NodeCut::fixed;
-  float cut_angle = 0.1f;                   ///< radians: cut level-1 nodes end where rays are farther from the first
+  float cut_angle = 0.1f;  ///< radians: cut level-1 nodes end where rays are farther from the first
+  float cut_distance = 4;  ///< of the scene's longest edge: so does the distance of their origins
   uint32_t arity = 8;
   std::array<uint32_t, kind_count> levels = {2, 2, 2};
   std::string bound = "sphere-cone";
   Fit fit = Fit::all;
   bool interval = true;
   bool mesh_culling = true;
-  bool mixed_batches = true;                 ///< ray kinds of a bounce are sorted and bundled together
+  bool mixed_batches = true;  ///< ray kinds of a bounce are sorted and bundled together
 };
 
 /// The preset of this name: one of preset_names(), or ray_query_preset. Throws UserError that lists them for any other.
 [[nodiscard]] AlgorithmOptions preset(const std::string& name);
 /// Names of the presets that give the same picture bit for bit on every device, in the order in which tables show them.
 [[nodiscard]] const std::vector<std::string>& preset_names();
+/// Throws UserError where switches do not go together.
+void require_sound(const AlgorithmOptions& options);
 /// The preset that only devices with ray queries have, and whose picture is the same within a tolerance.
 inline constexpr const char* ray_query_preset = "ray-query";
 
@@ -73,10 +76,10 @@ struct RenderOptions {
   std::vector<LightOption> lights;                     ///< not empty: they replace the file's
   std::array<bool, kind_count> rays = {true, true, true};
   bool override_mirror = false;
-  LayerSet layers = default_layers;                    ///< of the picture, besides the beauty
-  AlgorithmOptions algorithm = preset("crsh");
-  uint64_t submit_work = uint64_t(1) << 26;            ///< tests a submit
-  std::optional<std::string> mutation;                 ///< test-only: a fault to switch on (tests/README.md)
+  LayerSet layers = default_layers;  ///< of the picture, besides the beauty
+  AlgorithmOptions algorithm = preset("crsh-bvh");
+  uint64_t submit_work = uint64_t(1) << 26;  ///< tests a submit
+  std::optional<std::string> mutation;       ///< test-only: a fault to switch on (tests/README.md)
 };
 
 }  // namespace crsh

@@ -63,6 +63,7 @@ bool all_plain(const scene::Scene& scene) {
 
 /// Everything that hangs on the options and not only on the scene. Throws before anything is changed.
 void apply(Renderer::State& s, RenderOptions options) {
+  require_sound(options.algorithm);
   if (options.algorithm.tracing == Tracing::ray_query) objects::require_ray_queries(s.device);
   const std::optional<uint32_t> animation = animation_of(s.scene, options.animation);
   const scene::Pose pose = s.scene.pose(0, animation);

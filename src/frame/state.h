@@ -13,6 +13,7 @@
 #include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "intersection/intersection.h"
+#include "intersection/nodes.h"
 #include "intersection/ray_query.h"
 #include "intersection/single.h"
 #include "objects/device_hierarchy.h"
@@ -38,6 +39,7 @@ struct BatchBuffers {
   hierarchy::Hierarchy hierarchy;
   hierarchy::Account account;
   traversal::Scratch traversal;
+  intersection::NodeScratch nodes;
   intersection::SingleScratch single;
 };
 

@@ -10,7 +10,8 @@ namespace crsh {
 namespace {
 
 /// Nodes of a batch that are traversed together: one kind's, on the top level of that kind.
-hierarchy::Range nodes_of(const rays::Batch& batch, const hierarchy::Hierarchy& hierarchy, uint32_t kind, uint32_t depth) {
+hierarchy::Range nodes_of(const rays::Batch& batch, const hierarchy::Hierarchy& hierarchy, uint32_t kind,
+                          uint32_t depth) {
   hierarchy::Range range;
   for (size_t s = 0; s < batch.segments.size(); ++s) {
     const hierarchy::Range nodes = batch.segments[s].kind == kind && depth <= hierarchy.depth
@@ -34,8 +35,46 @@ void begin_account(Renderer::State& s, const rays::Batch& batch) {
 void share_tests(Renderer::State& s, const rays::Batch& batch, const RayNames& names) {
   for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
     if (s.batch.account.wants(kind))
-      s.batch.account.share(s.recorder, {batch, s.batch.hierarchy, s.batch.order.order, names.first_surface, names.pixels},
-                            kind, s.film.tests[kind]);
+      s.batch.account.share(s.recorder,
+                            {batch, s.batch.hierarchy, s.batch.order.order, names.first_surface, names.pixels}, kind,
+                            s.film.tests[kind]);
+}
+
+traversal::In traversal_in(Renderer::State& s, uint32_t bounce, uint32_t kind) {
+  return {.hierarchy = s.batch.hierarchy,
+          .scene = s.gpu_scene,
+          .options = s.options.algorithm,
+          .counters = s.counters->buffer(),
+          .counter_row = Counters::row(bounce, kind),
+          .submit_work = s.options.submit_work,
+          .most_pairs = s.most_pairs,
+          .drop_every = s.options.mutation == "dropped-pairs" ? 10000u : 0u,
+          .account = s.batch.account};
+}
+
+/// Nodes against all triangles, level by level, and rays against candidates.
+void meet_triangles(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  const AlgorithmOptions& options = s.options.algorithm;
+  BatchBuffers& b = s.batch;
+  for (uint32_t kind = 0; kind < kind_count; ++kind) {
+    const traversal::In in = traversal_in(s, bounce, kind);
+    const hierarchy::Range top = nodes_of(batch, b.hierarchy, kind, options.levels[kind]);
+    traversal::traverse(s.recorder, in, options.levels[kind], top, b.traversal, [&](const auto& candidates) {
+      intersection::intersect(s.recorder,
+                              {s.gpu_scene, batch, b.hits, in.counters, in.counter_row, in.submit_work, in.account},
+                              b.hierarchy, b.sorted_rays, b.order.order, candidates);
+    });
+  }
+}
+
+/// Nodes through the object hierarchy.
+void meet_objects(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  BatchBuffers& b = s.batch;
+  for (size_t segment = 0; segment < batch.segments.size(); ++segment) {
+    const traversal::In in = traversal_in(s, bounce, batch.segments[segment].kind);
+    intersection::intersect_nodes(s.recorder, {in, s.objects, batch, b.sorted_rays, b.order.order, b.hits}, segment,
+                                  b.nodes, b.single);
+  }
 }
 
 /// Steps 4 to 6 (§3.2.3 to §3.2.6): sorts the rays, bundles them into nodes, and takes these through the scene.
@@ -44,23 +83,17 @@ void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t boun
   BatchBuffers& b = s.batch;
   const bool unstable = s.options.mutation == "unstable-sort", narrow = s.options.mutation == "narrow-cones";
   coherence::order(s.recorder, b.sort,
-                   {.batch = batch, .keys = options.keys, .bounds = s.gpu_scene.bounds,
-                    .compression = options.compression, .unstable = unstable}, b.order);
+                   {.batch = batch,
+                    .keys = options.keys,
+                    .bounds = s.gpu_scene.bounds,
+                    .compression = options.compression,
+                    .unstable = unstable},
+                   b.order);
   coherence::gather(s.recorder, batch, b.order, b.sorted_rays);
-  hierarchy::build(s.recorder, {b.sorted_rays, batch.segments, options, narrow}, b.hierarchy);
+  hierarchy::build(s.recorder, {b.sorted_rays, batch.segments, options, narrow, s.gpu_scene.bounds.longest_edge()},
+                   b.hierarchy);
   begin_account(s, batch);
-  for (uint32_t kind = 0; kind < kind_count; ++kind) {
-    const uint32_t row = Counters::row(bounce, kind);
-    const traversal::In in{.hierarchy = b.hierarchy, .scene = s.gpu_scene, .options = options,
-                           .counters = s.counters->buffer(), .counter_row = row, .submit_work = s.options.submit_work,
-                           .most_pairs = s.most_pairs, .drop_every = s.options.mutation == "dropped-pairs" ? 10000u : 0u,
-                           .account = b.account};
-    const hierarchy::Range top = nodes_of(batch, b.hierarchy, kind, options.levels[kind]);
-    traversal::traverse(s.recorder, in, options.levels[kind], top, b.traversal, [&](const auto& candidates) {
-      intersection::intersect(s.recorder, {s.gpu_scene, batch, b.hits, s.counters->buffer(), row, s.options.submit_work, b.account},
-                              b.hierarchy, b.sorted_rays, b.order.order, candidates);
-    });
-  }
+  options.object_hierarchy ? meet_objects(s, batch, bounce) : meet_triangles(s, batch, bounce);
 }
 
 /// Step 6 for rays one by one.
@@ -69,8 +102,9 @@ void trace_single(Renderer::State& s, const rays::Batch& batch, uint32_t bounce)
   s.batch.order.chunks.clear();
   begin_account(s, batch);
   for (const rays::Segment& segment : batch.segments)
-    intersection::intersect_single(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                                Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account},
+    intersection::intersect_single(s.recorder,
+                                   {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
+                                    Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account},
                                    s.objects, segment, s.batch.single);
 }
 
@@ -80,8 +114,9 @@ void trace_queries(Renderer::State& s, const rays::Batch& batch, uint32_t bounce
   s.batch.order.chunks.clear();
   begin_account(s, batch);
   for (const rays::Segment& segment : batch.segments)
-    intersection::query(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                     Counters::row(bounce, segment.kind), s.options.submit_work},
+    intersection::query(s.recorder,
+                        {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(), Counters::row(bounce, segment.kind),
+                         s.options.submit_work},
                         s.device_objects, s.plain, segment);
 }
 
@@ -91,13 +126,22 @@ void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) 
   s.batch.order.chunks.clear();
   begin_account(s, batch);
   for (const rays::Segment& segment : batch.segments)
-    intersection::intersect_all(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                             Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account}, segment);
+    intersection::intersect_all(s.recorder,
+                                {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
+                                 Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account},
+                                segment);
+}
+
+/// Where the object hierarchy holds so little, sorting costs more than it saves.
+bool is_worth_sorting(const Renderer::State& s) {
+  constexpr uint32_t few_triangles = 128;
+  return !s.options.algorithm.object_hierarchy || s.gpu_scene.triangle_count > few_triangles;
 }
 
 void walk(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   switch (s.options.algorithm.tracing) {
-    case Tracing::nodes: return trace_hierarchy(s, batch, bounce);
+    case Tracing::nodes:
+      return is_worth_sorting(s) ? trace_hierarchy(s, batch, bounce) : trace_single(s, batch, bounce);
     case Tracing::single_rays: return trace_single(s, batch, bounce);
     case Tracing::brute: return trace_brute(s, batch, bounce);
     case Tracing::ray_query: return trace_queries(s, batch, bounce);
@@ -120,8 +164,9 @@ void trace(Renderer::State& s, uint32_t bounce, const RayNames& names) {
   intersection::clear(s.recorder, batch, s.batch.hits);
   walk(s, batch, bounce);
   for (const rays::Segment& segment : batch.segments)
-    intersection::digest(s.recorder, {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                      Counters::row(bounce, segment.kind), s.options.submit_work},
+    intersection::digest(s.recorder,
+                         {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(), Counters::row(bounce, segment.kind),
+                          s.options.submit_work},
                          segment, names.first_surface, names.pixels, names.paths);
   share_tests(s, batch, names);
   add_batch(s.recorder, batch, s.batch.order, s.batch.hierarchy, bounce, s.frame_statistics);

@@ -12,6 +12,15 @@ namespace {
 using primitives::grow;
 using primitives::quad_bytes;
 
+/// Groups for the object hierarchy end where level-1 nodes are so many times farther apart than their rays may be.
+constexpr float group_scale = 8;
+
+/// Whether nodes of this level end where coherence ends. Above level 1 only groups for the object hierarchy do: others are
+/// tested against the whole scene, and there would be too many of them.
+bool is_cut(const AlgorithmOptions& options, uint32_t index) {
+  return options.nodes == NodeCut::cut && (index == 0 || options.object_hierarchy);
+}
+
 /// Children of a level, all segments together.
 uint32_t count_children(const std::vector<Range>& below) {
   uint32_t count = 0;
@@ -32,7 +41,8 @@ const gpu::Buffer& rays_of_children(const Hierarchy& out, uint32_t index) {
 }
 
 /// Every `arity` children a node, segment by segment.
-void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
+void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index,
+                 Hierarchy& out) {
   Level& level = out.levels[index];
   level.segments.clear();
   level.count = 0;
@@ -54,13 +64,14 @@ void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>
 }
 
 /// Flags the children with which nodes begin, and notes where these nodes end.
-void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
+void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index,
+                Hierarchy& out) {
   const uint32_t children = count_children(below);
   grow(recorder, out.cut.heads, quad_bytes(children), "node heads");
   grow(recorder, out.cut.ends, quad_bytes(children), "node ends");
   grow(recorder, out.levels[index].children, sizeof(glm::uvec2), "ranges of children");
-  const float angle = in.options.cut_angle;
-  const float chord = angle < 3 ? 2 * std::sin(angle / 2) : 2.5f;
+  const float scale = index == 0 ? 1 : group_scale, angle = in.options.cut_angle * scale;
+  const float chord = angle < 3 ? 2 * std::sin(angle / 2) : 2.5f, reach = in.options.cut_distance * scale * in.extent;
   for (size_t s = 0; s < below.size(); ++s) {
     if (wanted_levels(in.segments[s], in.options) <= index) {
       recorder.fill(out.cut.heads, 0, below[s].count, below[s].first);
@@ -68,8 +79,8 @@ void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>&
     }
     const struct {
       uint32_t first_child, children, arity, rays_below;
-      float chord;
-    } push{below[s].first, below[s].count, in.options.arity, index == 0, chord};
+      float chord, reach;
+    } push{below[s].first, below[s].count, in.options.arity, index == 0, chord, reach};
     recorder.dispatch("hierarchy/cut", (uint64_t(below[s].count) + shared::cut_run - 1) / shared::cut_run, push,
                       {in.sorted_rays, rays_of_children(out, index), out.cut.heads, out.cut.ends}, below[s].count);
   }
@@ -88,19 +99,17 @@ std::vector<Range> segments_of(const std::vector<glm::uvec2>& children, const st
   return segments;
 }
 
-/// Nodes of level 1 end where coherence ends: head flags, their scan, bases and sizes, as the paper compresses rays to
-/// chunks. (Cut as well, higher levels would have too many nodes, which are tested against the whole scene.)
+/// Nodes end where coherence ends: head flags, their scan, bases and sizes, as the paper compresses rays to chunks.
 void group_cut(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
   Level& level = out.levels[index];
   const uint32_t children = count_children(below);
   flag_heads(recorder, in, below, index, out);
   level.count = primitives::compact(recorder, out.cut.compact, out.cut.heads, children, out.cut.bases);
   reserve_ranges(recorder, level, children);
-  const struct {
-    uint32_t nodes, rays_below;
-  } push{level.count, index == 0};
-  recorder.dispatch("hierarchy/group_cut", level.count, push,
-                    {rays_of_children(out, index), out.cut.bases, out.cut.ends, level.parents, level.children, level.rays});
+  const struct { uint32_t nodes, rays_below; } push{level.count, index == 0};
+  recorder.dispatch(
+      "hierarchy/group_cut", level.count, push,
+      {rays_of_children(out, index), out.cut.bases, out.cut.ends, level.parents, level.children, level.rays});
   level.cut_children = recorder.read<glm::uvec2>(level.children, level.count);
   level.segments = segments_of(level.cut_children, below);
 }
@@ -116,8 +125,7 @@ void group(gpu::Recorder& recorder, const In& in, const std::vector<Range>& belo
   level.child_segments = below;
   level.most_children = in.options.arity;
   level.cut_children.clear();
-  in.options.nodes == NodeCut::cut && index == 0 ? group_cut(recorder, in, below, index, out)
-      : group_fixed(recorder, in, below, index, out);
+  is_cut(in.options, index) ? group_cut(recorder, in, below, index, out) : group_fixed(recorder, in, below, index, out);
 }
 
 }  // namespace crsh::hierarchy

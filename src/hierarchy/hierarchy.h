@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,7 @@ struct In {
   const std::vector<rays::Segment>& segments;
   const AlgorithmOptions& options;
   bool narrow_cones = false;  ///< test-only mutation
+  float extent = std::numeric_limits<float>::infinity();  ///< longest edge of the scene's bounds, metres (cut_distance)
 };
 
 /// Builds up to max(options.levels) levels; segments whose kind wants fewer have no nodes above. Records, may submit.

@@ -21,14 +21,16 @@ class SingleRays {
              SingleScratch& scratch)
       : recorder_(recorder), in_(in), objects_(objects), segment_(segment), scratch_(scratch) {}
 
+  /// All rays of the segment.
   void run() {
-    primitives::grow(recorder_, scratch_.left, primitives::quad_bytes(segment_.count), "rays left");
-    primitives::grow(recorder_, scratch_.count, sizeof(uint32_t), "number of rays left");
-    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, segment_.count));
-    recorder_.fill(scratch_.count, 0, 1);
-    for (uint32_t first = 0; first < segment_.count; first += tile)
-      walk(first, std::min(tile, segment_.count - first));
-    if (recorder_.read<uint32_t>(scratch_.count, 1)[0]) walk_left();
+    reserve(recorder_, segment_, scratch_);
+    primitives::grow(recorder_, scratch_.list, sizeof(uint32_t), "list of rays");
+    walk_all(segment_.count, false);
+  }
+
+  /// Those that are flagged in scratch.left.
+  void run_left() {
+    walk_all(primitives::compact(recorder_, scratch_.compact, scratch_.left, segment_.count, scratch_.list), true);
   }
 
  private:
@@ -38,25 +40,42 @@ class SingleRays {
   };
 
   [[nodiscard]] Push push_of(uint32_t first, uint32_t end_or_count) const {
-    return {segment_.first, first, end_or_count, in_.counter_row + shared::counter_box_tests,
-            in_.counter_row + shared::counter_triangle_tests, in_.account.first(shared::tests_object, 0),
+    return {segment_.first,
+            first,
+            end_or_count,
+            in_.counter_row + shared::counter_box_tests,
+            in_.counter_row + shared::counter_triangle_tests,
+            in_.account.first(shared::tests_object, 0),
             in_.account.first(shared::tests_triangle, 0)};
   }
 
-  void walk(uint32_t first, uint32_t count) {
-    recorder_.dispatch(in_.account.kernel("intersection/single"), count, push_of(first, first + count),
-                       {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits, in_.batch.rays,
-                        in_.counters, objects_.box_low, objects_.box_high, scratch_.left, scratch_.count,
-                        in_.account.buffer_or(in_.counters)},
+  void walk_all(uint32_t count, bool listed) {
+    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, count));
+    recorder_.fill(scratch_.count, 0, 1);
+    for (uint32_t first = 0; first < count; first += tile) walk(first, std::min(tile, count - first), listed);
+    if (recorder_.read<uint32_t>(scratch_.count, 1)[0]) walk_left();
+  }
+
+  void walk(uint32_t first, uint32_t count, bool listed) {
+    const struct {
+      Push push;
+      uint32_t listed;
+    } push{push_of(first, first + count), listed};
+    recorder_.dispatch(in_.account.kernel("intersection/single"), count, push,
+                       {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
+                        in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, scratch_.left,
+                        scratch_.count, scratch_.list, in_.account.buffer_or(in_.counters)},
                        count * usual_tests);
     recorder_.submit_past(in_.submit_work);
   }
 
   void walk_left() {
-    const uint32_t left = primitives::compact(recorder_, scratch_.compact, scratch_.left, segment_.count, scratch_.list);
+    const uint32_t left =
+        primitives::compact(recorder_, scratch_.compact, scratch_.left, segment_.count, scratch_.list);
     const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / most_tests, 1, most_portioned));
     primitives::grow(recorder_, scratch_.states, tile * sizeof(glm::uvec2), "states of rays");
-    primitives::grow(recorder_, scratch_.stacks, tile * shared::max_object_depth * sizeof(glm::uvec2), "stacks of rays");
+    primitives::grow(recorder_, scratch_.stacks, tile * shared::max_object_depth * sizeof(glm::uvec2),
+                     "stacks of rays");
     for (uint32_t first = 0; first < left; first += tile) walk_in_portions(first, std::min(tile, left - first));
   }
 
@@ -68,8 +87,7 @@ class SingleRays {
       recorder_.dispatch(in_.account.kernel("intersection/single_on"), count, push_of(first, count),
                          {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
                           in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, scratch_.list,
-                          scratch_.count, scratch_.states, scratch_.stacks,
-                          in_.account.buffer_or(in_.counters)},
+                          scratch_.count, scratch_.states, scratch_.stacks, in_.account.buffer_or(in_.counters)},
                          count * most_tests);
     } while (recorder_.read<uint32_t>(scratch_.count, 1)[0]);
   }
@@ -88,6 +106,18 @@ void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hier
   if (segment.count == 0) return;
   recorder.stage(gpu::Stage::final_intersection);
   SingleRays(recorder, in, objects, segment, scratch).run();
+}
+
+void reserve(gpu::Recorder& recorder, const rays::Segment& segment, SingleScratch& scratch) {
+  primitives::grow(recorder, scratch.left, primitives::quad_bytes(segment.count), "rays left");
+  primitives::grow(recorder, scratch.count, sizeof(uint32_t), "number of rays left");
+}
+
+void intersect_left(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
+                    const rays::Segment& segment, SingleScratch& scratch) {
+  if (recorder.read<uint32_t>(scratch.count, 1)[0] == 0) return;
+  recorder.stage(gpu::Stage::final_intersection);
+  SingleRays(recorder, in, objects, segment, scratch).run_left();
 }
 
 }  // namespace crsh::intersection

@@ -9,9 +9,9 @@ namespace crsh::intersection {
 
 /// Lists of rays that need very many tests; kept between calls.
 struct SingleScratch {
-  gpu::Buffer left;    ///< uint a ray of the segment: 1 where it is one of these
-  gpu::Buffer count;   ///< one uint: how many have not ended
-  gpu::Buffer list;    ///< uint: the rays
+  gpu::Buffer left;   ///< uint a ray of the segment: 1 where it is one of these
+  gpu::Buffer count;  ///< one uint: how many have not ended
+  gpu::Buffer list;   ///< uint: the rays
   gpu::Buffer states, stacks;
   primitives::CompactScratch compact;
 };
@@ -19,5 +19,11 @@ struct SingleScratch {
 /// The rays of one segment, in creation order, against the scene that `objects` was built over. Submits, and waits.
 void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
                       const rays::Segment& segment, SingleScratch& scratch);
+
+/// Makes room in `left` and `count` for a segment, for those who leave some of its rays to intersect_left().
+void reserve(gpu::Recorder& recorder, const rays::Segment& segment, SingleScratch& scratch);
+/// The rays of the segment that are flagged in `left`; `count` is their number. Submits, and waits.
+void intersect_left(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
+                    const rays::Segment& segment, SingleScratch& scratch);
 
 }  // namespace crsh::intersection

@@ -1,6 +1,7 @@
 #pragma once
 // A scene in memory, as loaded: meshes, instances, materials, lights, cameras and their animation.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -23,6 +24,11 @@ struct Bounds {
   glm::vec3 low{std::numeric_limits<float>::infinity()};
   glm::vec3 high{-std::numeric_limits<float>::infinity()};
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+  /// Metres; 0 where empty.
+  [[nodiscard]] float longest_edge() const {
+    const glm::vec3 edges = empty() ? glm::vec3(0) : high - low;
+    return std::max({edges.x, edges.y, edges.z});
+  }
 };
 
 /// Eight bits a channel, RGBA, rows from the top.

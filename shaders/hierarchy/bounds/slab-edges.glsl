@@ -41,17 +41,34 @@ vec2 side_of_edge(Middle node, vec3 p, vec3 q) {
   return vec2(middle - reach - slack, middle + reach + slack);
 }
 
+/// Whether the rays may pass all three edges on one side.
+bool may_pass_between(Middle middle, vec3 a, vec3 b, vec3 c) {
+  vec3 pa = a - middle.origin, pb = b - middle.origin, pc = c - middle.origin;
+  vec2 ab = side_of_edge(middle, pa, pb), bc = side_of_edge(middle, pb, pc), ca = side_of_edge(middle, pc, pa);
+  bool may_be_positive = min(min(ab.y, bc.y), ca.y) >= 0.0;  // all three
+  bool may_be_negative = max(max(ab.x, bc.x), ca.x) <= 0.0;
+  return may_be_positive || may_be_negative;
+}
+
 #define BOUND_TESTS_CORNERS
 bool bound_may_hit_corners(Slab node, Interval interval, vec3 a, vec3 b, vec3 c, bool use_interval) {
   bool may_hit = slab_may_hit_corners_box(node, interval, a, b, c, use_interval);
   // Few triangles come so far: a loop, because lavapipe 22.3 never skips an `if`.
-  for (bool candidate = may_hit; candidate; candidate = false) {
-    Middle middle = middle_of(node);
-    vec3 pa = a - middle.origin, pb = b - middle.origin, pc = c - middle.origin;
-    vec2 ab = side_of_edge(middle, pa, pb), bc = side_of_edge(middle, pb, pc), ca = side_of_edge(middle, pc, pa);
-    bool may_be_positive = min(min(ab.y, bc.y), ca.y) >= 0.0;  // all three
-    bool may_be_negative = max(max(ab.x, bc.x), ca.x) <= 0.0;
-    may_hit = may_be_positive || may_be_negative;
-  }
+  for (bool candidate = may_hit; candidate; candidate = false) may_hit = may_pass_between(middle_of(node), a, b, c);
+  return may_hit;
+}
+
+struct ReadyEdges {
+  ReadySlab slab;
+  Middle middle;
+};
+#define READY ReadyEdges
+READY ready(Slab node, bool use_interval) { return ReadyEdges(slab_ready(node, use_interval), middle_of(node)); }
+bool ready_may_hit_box(READY node, float reach, vec3 low, vec3 high, out float enter) {
+  return slab_ready_may_hit_box(node.slab, reach, low, high, enter);
+}
+bool ready_may_hit_corners(READY node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
+  bool may_hit = slab_ready_may_hit_corners_box(node.slab, reach, a, b, c, enter);
+  for (bool candidate = may_hit; candidate; candidate = false) may_hit = may_pass_between(node.middle, a, b, c);
   return may_hit;
 }

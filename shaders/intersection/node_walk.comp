@@ -1,0 +1,220 @@
+#version 460
+// variants: hierarchy/bounds
+// Level-1 nodes through the object hierarchy, from their groups' frontiers down to the leaves, and their rays against
+// the triangles that the node may hit: depth first, the nearer child first, no farther than the rays' hits so far, and no
+// more where all shadow rays of the node are blocked. (Sections 3.2.5 and 3.2.6, and the paper's future work.)
+//
+// A cluster of lanes takes a node, a ray each. All of them walk alike: what the node needs is loaded once, by one lane or
+// another, and passed round; boxes of a frontier and triangles of a leaf are tested side by side. In the "-alone" build a
+// cluster is one lane, which takes the rays in turn. Both make the same tests.
+//
+// Nodes that need very many tests are left: their rays then go one by one (single.comp).
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#include "lib/together.glsl"
+layout(local_size_x = 64) in;
+#include "intersection/meet.glsl"
+#include "lib/counters.glsl"
+#include "lib/invocation.glsl"
+#include "lib/visit.glsl"
+#include "shared/counters.h"
+#include "shared/node.h"
+#include "shared/walk.h"
+#include "variant.glsl"
+
+/// Test-only mutation: about every so many-th pair of node and triangle is dropped.
+layout(constant_id = 0) const uint drop_every = 0u;
+#ifdef CRSH_ALONE
+const uint cluster = 1u;
+#else
+/// Lanes a node: a power of two, 2 to 32; and rays a lane, so that they hold the arity.
+layout(constant_id = 2) const uint cluster = 8u;
+layout(constant_id = 3) const uint rows = 1u;
+#endif
+
+layout(push_constant, scalar) uniform Push {
+  uint first_node;
+  uint node_count;
+  uint first_group;  // of the frontiers at hand
+  uint grouped;      // 0: all nodes begin with the first frontier
+  uint clusters;     // each takes every so many-th node
+  uint first_ray;    // of the segment: `left` counts from there
+  uint use_interval;
+  uint counter_row;  // first counter of the rays' bounce and kind
+  uint box_account;       // of the level's node 0
+  uint node_account;
+  uint triangle_account;  // of ray 0
+};
+layout(binding = 5, scalar) readonly buffer Rays { Ray rays[]; };     // in sorted order
+layout(binding = 6, scalar) readonly buffer Order { uint order[]; };  // creation index a sorted position
+layout(binding = 7, scalar) readonly buffer BoxLow { vec4 box_low[]; };
+layout(binding = 8, scalar) readonly buffer BoxHigh { vec4 box_high[]; };
+layout(binding = 9, scalar) readonly buffer Nodes { vec4 node_words[]; };
+layout(binding = 10, scalar) readonly buffer NodeRays { uvec2 rays_of[]; };
+layout(binding = 11, scalar) readonly buffer Parents { uint parents[]; };
+layout(binding = 12, scalar) readonly buffer Frontiers { uvec2 frontier[]; };
+layout(binding = 13, scalar) writeonly buffer Left { uint left[]; };  // a ray of the segment: 1 where it is left
+layout(binding = 14, scalar) buffer LeftCount { uint left_count[]; };
+layout(binding = 15, scalar) buffer Counters { uvec2 counters[]; };
+#define ACCOUNT_BINDING 16
+#include "lib/account.glsl"
+
+uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays
+
+#include "intersection/cluster.glsl"
+#include "intersection/node_rays.glsl"
+#include "intersection/node_bound.glsl"
+
+/// Turns of loops of a walk, about: lavapipe 22.3 ends loops silently after 65,535.
+const uint most_turns = 640u;
+/// No ray that is inside a box from `enter` on hits anything in it before that, but for rounding.
+const float reach_slack = 1.0 + 8.0 * bound_pad;
+
+/// What is to be visited: `next`; then what lies on the stack; then the hits among the entries of the frontier that were
+/// tested together, a lane each; then the frontier's other entries.
+struct NodeWalk {
+  uint next;         // `none`: nothing in hand
+  float enter;       // no ray is inside before
+  uint depth;        // of the stack
+  uint visit;        // this lane's entry
+  float visit_enter;
+  uint visits;       // a bit a lane whose entry is an inner node to be visited
+  bool leaves;       // some entries are leaves, and first of all
+  uint entry;        // of the frontier, not tested yet
+  uint entries_end;
+  float reach;       // of all rays: nothing beyond can matter; below 0: nothing at all
+  uint turns;
+};
+
+bool is_idle(NodeWalk walk) { return walk.next == none && walk.depth == 0u && walk.visits == 0u && !walk.leaves; }
+bool is_left(NodeWalk walk) { return walk.reach >= 0.0 && (!is_idle(walk) || walk.entry < walk.entries_end); }
+
+bool within(float enter, float reach) { return enter <= reach * reach_slack; }
+
+/// What to visit for a child slot, `none` where no ray of the node may hit its box.
+uint test_slot(READY node, float reach, uint slot, out float enter) {
+  vec4 low = box_low[slot], high = box_high[slot];
+  bool hit = ready_may_hit_box(node, reach, low.xyz, high.xyz, enter);
+  return hit && within(enter, reach) ? visit_of(low.w, high.w) : none;
+}
+
+/// Takes what is next in hand, if there is any and it is within reach.
+void take(inout NodeWalk walk) {
+  bool stacked = walk.depth > 0u;
+  walk.depth -= stacked ? 1u : 0u;
+  uint from = uint(findLSB(walk.visits));
+  bool visited = !stacked && walk.visits != 0u;
+  uint lane = first_of_cluster() + (visited ? from : 0u);
+  uint visit = FROM_LANE(walk.visit, lane);
+  float enter = FROM_LANE(walk.visit_enter, lane);
+  walk.visits &= visited ? walk.visits - 1u : 0xFFFFFFFFu;
+  walk.enter = stacked ? held_enter(walk.depth) : enter;
+  visit = stacked ? held_visit(walk.depth) : visited ? visit : none;
+  walk.next = within(walk.enter, walk.reach) ? visit : none;
+}
+
+/// Tests the next entries of the frontier, one a lane.
+void test_entries(inout NodeWalk walk, READY node) {
+  uint mine = walk.entry + lane_in_cluster();
+  bool present = mine < walk.entries_end;
+  uvec2 entry = frontier[min(mine, walk.entries_end - 1u)];
+  present = present && within(uintBitsToFloat(entry.y), walk.reach);
+  walk.visit = test_slot(node, walk.reach, entry.x, walk.visit_enter);
+  walk.visit = present ? walk.visit : none;
+  walk.visits = lanes_of_cluster(is_inner(walk.visit));
+  walk.leaves = lanes_of_cluster(present && walk.visit != none) != walk.visits;
+  walk.entry = min(walk.entry + cluster, walk.entries_end);
+  box_tests += present ? 1u : 0u;
+  ++walk.turns;
+}
+
+/// From an inner node to its nearer child that the rays may hit; the other one is left for later.
+void descend(inout NodeWalk walk, READY node) {
+  float enter0, enter1;
+#ifdef CRSH_ALONE
+  uint visit0 = test_slot(node, walk.reach, 2u * walk.next, enter0);
+  uint visit1 = test_slot(node, walk.reach, 2u * walk.next + 1u, enter1);
+  box_tests += 2u;
+#else
+  float enter;
+  uint visit = test_slot(node, walk.reach, 2u * walk.next + lane_in_cluster() % 2u, enter);
+  uint visit0 = FROM_LANE(visit, first_of_cluster()), visit1 = FROM_LANE(visit, first_of_cluster() + 1u);
+  enter0 = FROM_LANE(enter, first_of_cluster()), enter1 = FROM_LANE(enter, first_of_cluster() + 1u);
+  box_tests += lane_in_cluster() < 2u ? 1u : 0u;
+#endif
+  bool both = visit0 != none && visit1 != none;
+  bool first = visit0 != none && !(both && enter1 < enter0);
+  hold(walk.depth, first ? visit1 : visit0, first ? enter1 : enter0);
+  walk.depth += both ? 1u : 0u;
+  walk.next = first ? visit0 : visit1;
+  walk.enter = first ? enter0 : enter1;
+  ++walk.turns;
+  if (walk.next == none) take(walk);
+}
+
+/// The triangles of the lanes' leaves (`none`: no leaf) against the node, one a lane, and those that it may hit against
+/// its rays.
+void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
+  uint own = leaf_triangles(leaf), end = sum_of_lanes(own), count = FROM_LANE(end, first_of_cluster() + cluster - 1u);
+  uint begin = leaf_first(leaf) + own - end;  // of triangle 0 of all, if they were this leaf's
+  for (uint first = 0u; first < count; first += cluster) {
+    uint mine = first + lane_in_cluster();
+    uint lane = first_of_cluster() + lane_of_sum(end, mine);
+    uint place = FROM_LANE(begin, lane) + mine;
+    float from = FROM_LANE(enter, lane);
+    bool present = mine < count && within(from, walk.reach);
+    Loaded loaded = load_leaf_triangle(mine < count ? place : 0u);
+    float met;  // no ray meets the triangle before
+    bool may = present && ready_may_hit_corners(node, walk.reach, loaded.a.xyz, loaded.b.xyz, loaded.c.xyz, met);
+    node_tests += present ? 1u : 0u;
+    node_hits += may ? 1u : 0u;
+    may = may && (drop_every == 0u || (place + 7u * node_rays.x) % drop_every != 0u);
+    ++walk.turns;
+    met = may ? met : 3e38;
+    for (uint left_over = bitCount(lanes_of_cluster(may)); left_over > 0u; --left_over) {
+      float nearest = least_of_lanes(met);
+      uint k = first_of_cluster() + uint(findLSB(lanes_of_cluster(met == nearest)));
+      walk.turns += meet_rays(passed_round(loaded, k), nearest);
+      met = gl_SubgroupInvocationID == k ? 3e38 : met;
+    }
+    walk.reach = reach_of_rays();
+  }
+}
+
+/// Walks one node; whether that is finished.
+bool walk_node(uint node) {
+  take_rays(node);
+  READY bound = ready(load_bound(node), use_interval == 1u);
+  uint list = (grouped == 1u ? parents[node] - first_group : 0u) * frontier_room;
+  NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x, reach_of_rays(), 0u);
+  while (is_left(walk) && walk.turns < most_turns && walk.depth < most_held) {
+    while (is_idle(walk) && walk.entry < walk.entries_end) test_entries(walk, bound);
+    bool entered = walk.leaves;
+    if (!entered && walk.next == none) take(walk);
+    while (!entered && is_inner(walk.next) && walk.turns < most_turns && walk.depth < most_held) descend(walk, bound);
+    uint leaf = lane_in_cluster() == 0u ? walk.next : none;
+    meet_leaves(walk, bound, entered ? walk.visit : leaf, entered ? walk.visit_enter : walk.enter);
+    walk.next = is_inner(walk.next) ? walk.next : none;
+    walk.leaves = false;
+  }
+  return !is_left(walk);
+}
+
+void main() {
+  uint first_place = node_place();
+  if (first_place >= clusters) return;
+  box_tests = node_tests = node_hits = ray_tests = 0u;
+  for (uint place = first_place; place < node_count; place += clusters) {
+    uint node = first_node + place;
+    uvec2 before = uvec2(box_tests, node_tests);
+    give_rays(walk_node(node));
+    ACCOUNT(tests_object, box_account + node, box_tests - before.x)
+    ACCOUNT(tests_node, node_account + node, node_tests - before.y)
+  }
+  ADD_COUNTER(counter_row + counter_box_tests, box_tests)
+  ADD_COUNTER(counter_row + counter_level_tests, node_tests)
+  ADD_COUNTER(counter_row + counter_level_hits, node_hits)
+  ADD_COUNTER(counter_row + counter_triangle_tests, ray_tests)
+}

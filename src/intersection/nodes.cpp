@@ -1,0 +1,121 @@
+#include "intersection/nodes.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "primitives/grow.h"
+#include "shared/limits.h"
+#include "shared/walk.h"
+
+namespace crsh::intersection {
+namespace {
+
+using hierarchy::Range;
+
+/// Tests of a node and its rays, for a submit's account.
+constexpr uint64_t usual_tests = 256;
+/// Groups whose frontiers are held together: 16 MiB.
+constexpr uint32_t most_groups = 16384;
+/// Lanes of a workgroup of the kernel, and most of a cluster: all of them work on one node.
+constexpr uint32_t workgroup = 64, most_cluster = 8;
+
+class Nodes {
+ public:
+  Nodes(gpu::Recorder& recorder, const NodesIn& in, const rays::Segment& segment, NodeScratch& scratch,
+        SingleScratch& single)
+      : recorder_(recorder), in_(in), segment_(segment), scratch_(scratch), single_(single) {}
+
+  void run(Range nodes, Range groups) {
+    reserve(recorder_, segment_, single_);
+    recorder_.fill(single_.count, 0, 1);
+    recorder_.fill(single_.left, 0, segment_.count);
+    if (groups.count == 0) {
+      traversal::start_at_root(recorder_, scratch_.frontiers);
+      walk(nodes, groups);
+    }
+    for (uint32_t first = groups.first; first < groups.end(); first += most_groups) {
+      const Range some{first, std::min(most_groups, groups.end() - first)};
+      traversal::walk_groups(recorder_, in_.traversal, in_.objects, some, scratch_.frontiers);
+      walk(in_.traversal.hierarchy.levels[1].children_of(some), some);
+    }
+    const traversal::In& t = in_.traversal;
+    intersect_left(recorder_, {t.scene, in_.batch, in_.hits, t.counters, t.counter_row, t.submit_work, t.account},
+                   in_.objects, segment_, single_);
+  }
+
+ private:
+  /// Nodes of these groups.
+  void walk(Range nodes, Range groups) {
+    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.traversal.submit_work / usual_tests, 1, nodes.count));
+    for (uint32_t first = nodes.first; first < nodes.end(); first += tile)
+      walk_tile({first, std::min(tile, nodes.end() - first)}, groups);
+  }
+
+  void walk_tile(Range nodes, Range groups) {
+    const traversal::In& t = in_.traversal;
+    const hierarchy::Level& level = t.hierarchy.levels[0];
+    const uint32_t clusters = (nodes.count + nodes_a_cluster() - 1) / nodes_a_cluster();
+    const gpu::Buffer& parents = groups.count ? t.hierarchy.levels[1].parents : level.parents;
+    const struct {
+      uint32_t first_node, node_count, first_group, grouped, clusters, first_ray, use_interval, counter_row,
+          box_account, node_account, triangle_account;
+    } push{nodes.first,
+           nodes.count,
+           groups.first,
+           groups.count != 0,
+           clusters,
+           segment_.first,
+           t.options.interval,
+           t.counter_row,
+           t.account.first(shared::tests_object, 1),
+           t.account.first(shared::tests_node, 1),
+           t.account.first(shared::tests_triangle, 0)};
+    recorder_.dispatch(
+        kernel(), uint64_t(clusters) * cluster(), push,
+        {in_.objects.leaf_a, in_.objects.leaf_b, in_.objects.leaf_c, t.scene.materials, in_.hits, in_.sorted_rays,
+         in_.order, in_.objects.box_low, in_.objects.box_high, level.nodes, level.rays, parents, scratch_.frontiers,
+         single_.left, single_.count, t.counters, t.account.buffer_or(t.counters)},
+        nodes.count * usual_tests);
+    recorder_.submit_past(t.submit_work);
+  }
+
+  /// Each cluster takes some nodes in turn on a CPU, where adding to the counters takes as long as some tests.
+  [[nodiscard]] uint32_t nodes_a_cluster() const { return recorder_.device().info().software && cluster() > 1 ? 8 : 1; }
+
+  /// Lanes a node; 1 where a subgroup cannot pass values between lanes.
+  [[nodiscard]] uint32_t cluster() const {
+    const gpu::Device& device = recorder_.device();
+    const uint32_t subgroup = device.info().subgroup_size;
+    if (!device.info().shuffles || device.request().walk_alone || workgroup % subgroup || subgroup < 2) return 1;
+    return std::min({most_cluster, std::bit_ceil(in_.traversal.options.arity), subgroup});
+  }
+
+  [[nodiscard]] gpu::Kernel kernel() const {
+    const std::string alone = cluster() == 1 ? "-alone" : "";
+    std::vector<std::pair<uint32_t, uint32_t>> constants = {{0, in_.traversal.drop_every}};
+    const uint32_t lanes = cluster(), arity = in_.traversal.options.arity;
+    if (lanes > 1) constants.insert(constants.end(), {{2, lanes}, {3, (arity + lanes - 1) / lanes}});
+    return in_.traversal.account.kernel("intersection/node_walk" + alone + "@" + in_.traversal.options.bound,
+                                        constants);
+  }
+
+  gpu::Recorder& recorder_;
+  const NodesIn& in_;
+  const rays::Segment& segment_;
+  NodeScratch& scratch_;
+  SingleScratch& single_;
+};
+
+}  // namespace
+
+void intersect_nodes(gpu::Recorder& recorder, const NodesIn& in, size_t segment, NodeScratch& scratch,
+                     SingleScratch& single) {
+  const rays::Segment& rays = in.batch.segments[segment];
+  if (rays.count == 0) return;
+  const hierarchy::Hierarchy& hierarchy = in.traversal.hierarchy;
+  const Range groups = in.traversal.options.levels[rays.kind] > 1 ? hierarchy.levels[1].segments[segment] : Range{};
+  recorder.stage(gpu::Stage::hierarchy_traversal);
+  Nodes(recorder, in, rays, scratch, single).run(hierarchy.levels[0].segments[segment], groups);
+}
+
+}  // namespace crsh::intersection

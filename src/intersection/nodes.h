@@ -1,0 +1,28 @@
+#pragma once
+// Ray nodes through the object hierarchy: level-1 nodes from the frontiers of their groups down to its leaves, and their
+// rays against triangles; rays that are better off by themselves go one by one. (Sections 3.2.5 and 3.2.6, and the
+// paper's future work.)
+
+#include "intersection/single.h"
+#include "traversal/groups.h"
+
+namespace crsh::intersection {
+
+/// Kept between calls.
+struct NodeScratch {
+  gpu::Buffer frontiers;
+};
+
+struct NodesIn {
+  const traversal::In& traversal;
+  const objects::Hierarchy& objects;  ///< over the scene as it is now
+  const rays::Batch& batch;
+  const gpu::Buffer &sorted_rays, &order;  ///< by sorted position
+  const gpu::Buffer& hits;                 ///< shared::Hit a ray, cleared, in creation order
+};
+
+/// All rays of the batch's segment. Submits, and waits.
+void intersect_nodes(gpu::Recorder& recorder, const NodesIn& in, size_t segment, NodeScratch& scratch,
+                     SingleScratch& single);
+
+}  // namespace crsh::intersection

@@ -1,0 +1,42 @@
+#include "traversal/groups.h"
+
+#include "primitives/grow.h"
+#include "shared/counters.h"
+#include "shared/walk.h"
+
+namespace crsh::traversal {
+namespace {
+
+/// Tests of a group, for a submit's account.
+constexpr uint64_t usual_tests = 256;
+
+void reserve(gpu::Recorder& recorder, gpu::Buffer& frontiers, uint64_t lists) {
+  primitives::grow(recorder, frontiers, lists * shared::frontier_room * sizeof(glm::uvec2), "frontiers");
+}
+
+}  // namespace
+
+void walk_groups(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects, hierarchy::Range groups,
+                 gpu::Buffer& frontiers) {
+  recorder.stage(gpu::Stage::hierarchy_traversal);
+  reserve(recorder, frontiers, groups.count);
+  const hierarchy::Level& level = in.hierarchy.levels[1];
+  const struct {
+    uint32_t first_group, group_count, use_interval, box_counter, first_account;
+  } push{groups.first, groups.count, in.options.interval, in.counter_row + shared::counter_box_tests,
+         in.account.first(shared::tests_object, 2)};
+  recorder.dispatch(in.account.kernel("traversal/group_walk@" + in.options.bound), groups.count, push,
+                    {level.nodes, level.intervals, objects.box_low, objects.box_high, frontiers, in.counters,
+                     in.account.buffer_or(in.counters)},
+                    groups.count * usual_tests);
+  recorder.submit_past(in.submit_work);
+}
+
+void start_at_root(gpu::Recorder& recorder, gpu::Buffer& frontiers) {
+  reserve(recorder, frontiers, 1);
+  recorder.fill(frontiers, 0, 6);
+  recorder.fill(frontiers, 2, 1);     // entries
+  recorder.fill(frontiers, 1, 1, 4);  // the second one's slot
+}
+
+}  // namespace crsh::traversal
