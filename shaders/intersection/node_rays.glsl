@@ -70,6 +70,7 @@ uint own_id[rows];
 Ray own_ray[rows];
 Shear own_shear[rows];
 uvec4 own_hit[rows];
+uint own_tests[rows];
 
 bool has_ray(uint row) { return row * cluster + lane_in_cluster() < node_rays.y - node_rays.x; }
 
@@ -81,6 +82,7 @@ void take_rays(uint node) {
     own_ray[row] = rays[position];
     own_shear[row] = shear_of(own_ray[row].direction.xyz);
     own_hit[row] = cleared_hit(own_ray[row]);
+    own_tests[row] = 0u;
   }
 }
 
@@ -89,7 +91,7 @@ uint meet_rays(Loaded triangle, float enter) {
     bool wanted = has_ray(row) && is_wanted(own_ray[row], own_hit[row], enter);
     uvec4 hit = meet(own_hit[row], own_ray[row], own_shear[row], triangle);
     own_hit[row] = wanted ? hit : own_hit[row];
-    ray_tests += wanted ? 1u : 0u;
+    own_tests[row] += wanted ? 1u : 0u;
   }
   return rows;
 }
@@ -102,8 +104,11 @@ float reach_of_rays() {
 }
 
 void give_rays(bool done) {
-  for (uint row = 0u; row < rows; ++row)
+  for (uint row = 0u; row < rows; ++row) {
     if (done && has_ray(row)) hits[own_id[row]] = own_hit[row];
+    ray_tests += own_tests[row];
+    ACCOUNT(tests_triangle, triangle_account + own_id[row], own_tests[row])
+  }
   for (bool later = !done; later; later = false) {
     for (uint row = 0u; row < rows; ++row)
       if (has_ray(row)) left[own_id[row] - first_ray] = 1u;

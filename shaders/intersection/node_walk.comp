@@ -94,10 +94,11 @@ bool is_left(NodeWalk walk) { return walk.reach >= 0.0 && (!is_idle(walk) || wal
 bool within(float enter, float reach) { return enter <= reach * reach_slack; }
 
 /// What to visit for a child slot, `none` where no ray of the node may hit its box.
-uint test_slot(READY node, float reach, uint slot, out float enter) {
-  vec4 low = box_low[slot], high = box_high[slot];
+uint test_slot(READY node, float reach, uint slot, bool wanted, out float enter) {
+  vec4 low = vec4(0.0), high = vec4(0.0);
+  if (wanted) low = box_low[slot], high = box_high[slot];  // software pays by the lane
   bool hit = ready_may_hit_box(node, reach, low.xyz, high.xyz, enter);
-  return hit && within(enter, reach) ? visit_of(low.w, high.w) : none;
+  return wanted && hit && within(enter, reach) ? visit_of(low.w, high.w) : none;
 }
 
 /// Takes what is next in hand, if there is any and it is within reach.
@@ -119,9 +120,10 @@ void take(inout NodeWalk walk) {
 void test_entries(inout NodeWalk walk, READY node) {
   uint mine = walk.entry + lane_in_cluster();
   bool present = mine < walk.entries_end;
-  uvec2 entry = frontier[min(mine, walk.entries_end - 1u)];
+  uvec2 entry = uvec2(0u);
+  if (present) entry = frontier[mine];
   present = present && within(uintBitsToFloat(entry.y), walk.reach);
-  walk.visit = test_slot(node, walk.reach, entry.x, walk.visit_enter);
+  walk.visit = test_slot(node, walk.reach, entry.x, present, walk.visit_enter);
   walk.visit = present ? walk.visit : none;
   walk.visits = lanes_of_cluster(is_inner(walk.visit));
   walk.leaves = lanes_of_cluster(present && walk.visit != none) != walk.visits;
@@ -134,12 +136,12 @@ void test_entries(inout NodeWalk walk, READY node) {
 void descend(inout NodeWalk walk, READY node) {
   float enter0, enter1;
 #ifdef CRSH_ALONE
-  uint visit0 = test_slot(node, walk.reach, 2u * walk.next, enter0);
-  uint visit1 = test_slot(node, walk.reach, 2u * walk.next + 1u, enter1);
+  uint visit0 = test_slot(node, walk.reach, 2u * walk.next, true, enter0);
+  uint visit1 = test_slot(node, walk.reach, 2u * walk.next + 1u, true, enter1);
   box_tests += 2u;
 #else
   float enter;
-  uint visit = test_slot(node, walk.reach, 2u * walk.next + lane_in_cluster() % 2u, enter);
+  uint visit = test_slot(node, walk.reach, 2u * walk.next + lane_in_cluster(), lane_in_cluster() < 2u, enter);
   uint visit0 = FROM_LANE(visit, first_of_cluster()), visit1 = FROM_LANE(visit, first_of_cluster() + 1u);
   enter0 = FROM_LANE(enter, first_of_cluster()), enter1 = FROM_LANE(enter, first_of_cluster() + 1u);
   box_tests += lane_in_cluster() < 2u ? 1u : 0u;
@@ -165,7 +167,8 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
     uint place = FROM_LANE(begin, lane) + mine;
     float from = FROM_LANE(enter, lane);
     bool present = mine < count && within(from, walk.reach);
-    Loaded loaded = load_leaf_triangle(mine < count ? place : 0u);
+    Loaded loaded = Loaded(none, vec4(0.0), vec4(0.0), vec4(0.0));
+    if (present) loaded = load_leaf_triangle(place);
     float met;  // no ray meets the triangle before
     bool may = present && ready_may_hit_corners(node, walk.reach, loaded.a.xyz, loaded.b.xyz, loaded.c.xyz, met);
     node_tests += present ? 1u : 0u;

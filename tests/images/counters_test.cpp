@@ -135,6 +135,7 @@ Rendered floor_under_grid() {
   options.view.eye = {0, 2, 0.5f};
   options.view.target = {0, 0, 0};
   options.lights = {{{0.1f, 6, 0.2f}, 30.0f}};
+  options.algorithm = preset("crsh");
   options.algorithm.levels.fill(2);
   options.algorithm.nodes = NodeCut::fixed;
   return render(built_scene(triangles, {matt(glm::vec3(0.5f))}), options);

@@ -157,6 +157,7 @@ TEST_CASE("the tests of all pixels add up to the counters, by every algorithm") 
 
 TEST_CASE("the tests of all pixels add up to the counters however rays are bundled and shared out") {
   RenderOptions options = small();
+  options.algorithm = preset("crsh");
   options.algorithm.arity = 3;
   options.algorithm.levels = {5, 2, 1};
   check_tests(render(own_scene("glass"), options));

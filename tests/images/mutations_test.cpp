@@ -37,13 +37,22 @@ TEST_CASE("the comparison of algorithms turns red when cones are too narrow") {
   options.height = 48;
   options.bounces = 2;
   CHECK(difference_under("narrow-cones", "crsh", own_scene("glass"), options) != "");
+  CHECK(difference_under("narrow-cones", "crsh-bvh", own_scene("glass"), options) != "");
   CHECK(difference_under("narrow-cones", "rah", own_scene("glass"), options) != "");
+}
+
+RenderOptions options_of_many() {
+  RenderOptions options;
+  options.width = options.height = 256;
+  options.bounces = 2;
+  return options;
 }
 
 TEST_CASE("the comparison of algorithms turns red when pairs are dropped") {
   BoxScene boxes;
   const RenderOptions options = mirrored_boxes(boxes);
   CHECK(difference_under("dropped-pairs", "crsh", scene_of(boxes), options) != "");
+  CHECK(difference_under("dropped-pairs", "crsh-bvh", own_scene("glass"), options_of_many()) != "");
   CHECK(difference_under("dropped-pairs", "rah", scene_of(boxes), options) != "");
 }
 

@@ -37,7 +37,8 @@ TEST_CASE("every preset renders mirrors, glass and textures alike, without a val
 TEST_CASE("every key, with compression, and every way to build levels give the same, without a validation message") {
   const scene::Scene& glass = own_scene("glass");
   RenderOptions options = tiny(1);
-  const Rendered ours = render_with("crsh", glass, options);
+  options.algorithm = preset("crsh");
+  const Rendered ours = render(glass, options);
   for (const std::string& key : rays::key_names())
     for (const Fit fit : {Fit::merged, Fit::all}) {
       CAPTURE(key);
@@ -60,9 +61,11 @@ std::vector<std::string> bounds() {
 }
 
 /// On both kinds of device: where lanes read lists together, and where each walks alone.
-void check_bound(const std::string& bound, gpu::Device& alone, const Rendered& expected) {
+void check_bound(const std::string& algorithm, const std::string& bound, gpu::Device& alone, const Rendered& expected) {
+  CAPTURE(algorithm);
   CAPTURE(bound);
   RenderOptions options = tiny(1);
+  options.algorithm = preset(algorithm);
   options.algorithm.bound = bound;
   options.algorithm.nodes = NodeCut::fixed;
   CHECK(difference(expected, render(own_scene("glass"), options)) == "");
@@ -76,7 +79,8 @@ TEST_CASE("every bound gives the same, and so do lanes that walk alone, without 
   request.walk_alone = true;
   gpu::Device alone(request);
   const Rendered expected = render(own_scene("glass"), tiny(1));
-  for (const std::string& bound : bounds()) check_bound(bound, alone, expected);
+  for (const std::string& bound : bounds())
+    for (const char* algorithm : {"crsh", "crsh-bvh"}) check_bound(algorithm, bound, alone, expected);
   RenderOptions brute = tiny(1);
   brute.algorithm = preset("brute");
   CHECK(difference(expected, render(alone, own_scene("glass"), brute)) == "");

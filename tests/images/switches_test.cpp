@@ -25,6 +25,7 @@ RenderOptions small() {
 
 Rendered changed(const Change& change) {
   RenderOptions options = small();
+  options.algorithm = preset("crsh");
   change(options.algorithm);
   return render(own_scene("glass"), options);
 }
@@ -99,6 +100,17 @@ TEST_CASE("every number of levels gives the same hits and picture") {
     CHECK(difference_by([&](auto& options) { options.levels.fill(levels); }) == "");
     CHECK(difference_by([&](auto& options) { options.levels.fill(levels), options.fit = Fit::merged; }) == "");
   }
+}
+
+TEST_CASE("nodes through the object hierarchy give the same hits and picture, however they are made") {
+  const auto difference_of = [](const Change& change) {
+    return difference_by([&](auto& options) { options = preset("crsh-bvh"), change(options); });
+  };
+  for (const uint32_t levels : {1, 2}) CHECK(difference_of([&](auto& options) { options.levels.fill(levels); }) == "");
+  for (const uint32_t arity : {2, 3, 20, 64}) CHECK(difference_of([&](auto& options) { options.arity = arity; }) == "");
+  CHECK(difference_of([](auto& options) { options.nodes = NodeCut::fixed, options.keys.fill("creation"); }) == "");
+  CHECK(difference_of([](auto& options) { options.interval = false, options.bound = "sphere-cone"; }) == "");
+  CHECK(difference_of([](auto& options) { options.cut_angle = 0, options.compression = true; }) == "");
 }
 
 TEST_CASE("kinds with different numbers of levels give the same hits and picture") {

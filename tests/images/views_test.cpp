@@ -66,10 +66,11 @@ void check_algorithms(const View& view, uint32_t size, uint32_t brute_size) {
   CHECK(difference(ours, render_with("crsh-2017", *scene, options)) == "");
   CHECK(difference(ours, render_with("rah", *scene, options)) == "");
   CHECK(difference(ours, render_with("bvh", *scene, options)) == "");
+  CHECK(difference(ours, render_with("crsh-bvh", *scene, options)) == "");
   CHECK(difference(render_with("crsh", *scene, tiny), render_with("brute", *scene, tiny)) == "");
 }
 
-TEST_CASE("on the three views crsh, crsh-2017, rah, bvh and brute give the same picture and hits") {
+TEST_CASE("on the three views all presets give the same picture and hits") {
   for (const View& view : views) check_algorithms(view, 40, 12);
 }
 
@@ -101,6 +102,35 @@ TEST_CASE("on Sponza bvh needs 0.1% of brute force for shadow rays at most, and 
   };
   CHECK(share("shadow") <= 0.0010);
   CHECK(share("reflection") <= 0.00155);
+}
+
+struct Shares {
+  double shadow, reflection;
+};
+
+/// All tests of k = 0 as a share of brute force.
+Shares shares(const View& view, const scene::Scene& scene, const char* algorithm) {
+  const Rendered rendered = render_with(algorithm, scene, options_of(view, 512, 1));
+  const auto share = [&](const char* kind) {
+    const RayStatistics& row = rays_of(rendered.statistics, kind, 0);
+    return double(row.total_tests()) / double(row.count * row.triangles);
+  };
+  return {share("shadow"), share("reflection")};
+}
+
+TEST_CASE(
+    "on the three views crsh-bvh needs 18% of the tests of bvh for shadow rays at most, and 30% for reflection rays") {
+  for (const View& view : views) {
+    const scene::Scene* scene = scene_of(view);
+    if (!scene) return;
+    CAPTURE(std::string(view.name));
+    const Shares ours = shares(view, *scene, "crsh-bvh"), single = shares(view, *scene, "bvh");
+    CHECK(ours.shadow <= 0.18 * single.shadow);
+    CHECK(ours.reflection <= 0.30 * single.reflection);
+    if (std::string(view.name) != "sponza") continue;
+    CHECK(ours.shadow <= 0.000125);
+    CHECK(ours.reflection <= 0.00040);
+  }
 }
 
 TEST_SUITE_BEGIN("full");

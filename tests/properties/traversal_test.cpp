@@ -123,14 +123,82 @@ TEST_CASE("no other bound rejects a ray that hits, with nodes of one size and cu
   }
 }
 
+/// With nodes that are cut and that are not, on both builds of the kernel.
+void check_objects(Tracer& tracer, const World& world, const Traced& all, uint32_t seed) {
+  for (const char* bound : {"slab", "slab-edges", "sphere-cone"})
+    for (const auto& [arity, levels] : {std::pair{2u, 1u}, {8u, 2u}, {64u, 2u}})
+      for (const bool cut : {false, true}) {
+        TraceOptions options{algorithm(arity, levels)};
+        options.algorithm.bound = bound;
+        options.algorithm.interval = seed % 2;
+        options.algorithm.nodes = cut ? NodeCut::cut : NodeCut::fixed;
+        options.algorithm.cut_angle = 0.3f, options.algorithm.cut_distance = 0.1f, options.extent = 4;
+        options.submit_work = seed % 3 ? uint64_t(1) << 26 : 1 << 14;
+        CAPTURE(seed);
+        CAPTURE(std::string(bound));
+        CAPTURE(arity);
+        CAPTURE(cut);
+        CHECK(different_hits(tracer.trace_objects(world.scene, world.rays, options), all).empty());
+      }
+}
+
+TEST_CASE("no ray that hits is lost by a node in the object hierarchy, where lanes walk together and alone") {
+  gpu::DeviceRequest request = test::device().request();
+  request.walk_alone = true;
+  gpu::Device alone(request);
+  for (gpu::Device* device : {&test::device(), &alone}) {
+    Tracer tracer(*device);
+    for (uint32_t seed = 1; seed <= 3; ++seed) {
+      const World world = make_world(tracer, seed);
+      check_objects(tracer, world, tracer.trace_all(world.scene, world.rays), seed);
+    }
+  }
+}
+
+TEST_CASE("rays of nodes that need very many tests go one by one, and lose no hit") {
+  Tracer tracer(test::device());
+  Random random(11);
+  const std::vector<Triangle> triangles = closed_mesh(5, glm::vec3(0), 1);
+  const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = triangles, .transmissive = true}});
+  const SortedBatch rays = make_batch(test::device(),
+                                      {stray_rays(random, triangles, 3000, shared::kind_shadow),
+                                       stray_rays(random, triangles, 3000, shared::kind_reflection)},
+                                      &random);
+  TraceOptions options{algorithm(64, 2)};
+  options.algorithm.bound = "slab";
+  const Traced traced = tracer.trace_objects(scene, rays, options);
+  CHECK(different_hits(traced, tracer.trace_all(scene, rays)).empty());
+  // Each ray by itself makes so many box tests; those of the nodes that gave up come on top.
+  const Traced single = tracer.trace_single(scene, rays);
+  for (const uint32_t kind : {shared::kind_shadow, shared::kind_reflection})
+    CHECK(traced.counter(kind, shared::counter_box_tests) >= single.counter(kind, shared::counter_box_tests));
+}
+
+TEST_CASE("lanes that walk together and alone make the same tests") {
+  gpu::DeviceRequest request = test::device().request();
+  request.walk_alone = true;
+  gpu::Device alone_device(request);
+  Tracer together(test::device()), alone(alone_device);
+  const World one = make_world(together, 4), other = make_world(alone, 4);
+  TraceOptions options{algorithm(8, 2)};
+  options.algorithm.bound = "slab-edges", options.algorithm.nodes = NodeCut::cut;
+  const Traced a = together.trace_objects(one.scene, one.rays, options),
+               b = alone.trace_objects(other.scene, other.rays, options);
+  for (size_t i = 0; i < a.hits.size(); ++i) CHECK(a.hits[i] == b.hits[i]);
+  // The frontier's entries, and the triangles of its leaves, are tested side by side: so many of them as lanes.
+  CHECK(double(a.counter(0, shared::counter_box_tests)) ==
+        doctest::Approx(double(b.counter(0, shared::counter_box_tests))).epsilon(0.2));
+}
+
 TEST_CASE("edges tell the halves of a wall apart: a coherent node is left with the triangle that its rays hit") {
   Tracer tracer(test::device());
-  const scene::GpuScene scene =
-      make_scene(tracer.recorder(), {{.triangles = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}}});
+  const scene::GpuScene scene = make_scene(
+      tracer.recorder(), {{.triangles = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}}});
   Random random(3);
   std::vector<shared::Ray> rays;
   for (uint32_t i = 0; i < 8; ++i)
-    rays.push_back(ray_between({0.7f, 0.2f, 1}, glm::vec3(0.8f, 0.3f, 0) + random.point(0.02f), shared::kind_reflection));
+    rays.push_back(
+        ray_between({0.7f, 0.2f, 1}, glm::vec3(0.8f, 0.3f, 0) + random.point(0.02f), shared::kind_reflection));
   const SortedBatch batch = make_batch(test::device(), {rays});
   for (const auto& [bound, pairs] : {std::pair{"slab", 2u}, {"slab-edges", 1u}}) {
     TraceOptions options{algorithm(8, 1)};
@@ -197,7 +265,8 @@ TEST_CASE("with cones or slabs 1% too narrow a ray is lost") {
   Tracer tracer(test::device());
   const World world = make_world(tracer, 1);
   const Traced all = tracer.trace_all(world.scene, world.rays);
-  for (const auto& [fit, bound] : {std::pair{Fit::merged, "sphere-cone"}, {Fit::all, "sphere-cone"}, {Fit::all, "slab-edges"}}) {
+  for (const auto& [fit, bound] :
+       {std::pair{Fit::merged, "sphere-cone"}, {Fit::all, "sphere-cone"}, {Fit::all, "slab-edges"}}) {
     TraceOptions options{algorithm(8, 2)};
     options.algorithm.fit = fit;
     options.algorithm.bound = bound;

@@ -160,6 +160,28 @@ Traced Tracer::trace_single(const scene::GpuScene& scene, const SortedBatch& ray
   return result(rays);
 }
 
+Traced Tracer::trace_objects(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options) {
+  objects::Hierarchy objects;
+  objects::update(recorder_, {scene, {}, options.submit_work}, objects);
+  AlgorithmOptions algorithm = options.algorithm;
+  algorithm.object_hierarchy = true;
+  begin(rays);
+  hierarchy::build(recorder_, {rays.sorted, rays.batch.segments, algorithm, options.narrow_cones, options.extent},
+                   hierarchy_);
+  for (size_t s = 0; s < rays.batch.segments.size(); ++s) {
+    const traversal::In in{.hierarchy = hierarchy_,
+                           .scene = scene,
+                           .options = algorithm,
+                           .counters = counters_,
+                           .counter_row = rays.batch.segments[s].kind * shared::counters_per_row,
+                           .submit_work = options.submit_work,
+                           .drop_every = options.drop_every};
+    intersection::intersect_nodes(recorder_, {in, objects, rays.batch, rays.sorted, rays.order, hits_}, s, nodes_,
+                                  single_);
+  }
+  return result(rays);
+}
+
 std::vector<uint32_t> different_hits(const Traced& a, const Traced& b) {
   std::vector<uint32_t> different;
   for (uint32_t i = 0; i < a.hits.size(); ++i)

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "frame/options.h"
 #include "gpu/recorder.h"
 #include "hierarchy/hierarchy.h"
+#include "intersection/nodes.h"
 #include "intersection/single.h"
 #include "objects/hierarchy.h"
 #include "rays/batch.h"
@@ -46,6 +48,7 @@ struct TraceOptions {
   uint64_t submit_work = uint64_t(1) << 26;
   bool narrow_cones = false;
   uint32_t drop_every = 0;
+  float extent = std::numeric_limits<float>::infinity();  ///< metres; cut_distance is a share of it
 };
 
 struct Traced {
@@ -71,6 +74,10 @@ class Tracer {
   [[nodiscard]] Traced trace_single(const scene::GpuScene& scene, const SortedBatch& rays,
                                     uint64_t submit_work = uint64_t(1) << 26);
 
+  /// Nodes of one or two levels through an object hierarchy.
+  [[nodiscard]] Traced trace_objects(const scene::GpuScene& scene, const SortedBatch& rays,
+                                     const TraceOptions& options);
+
   [[nodiscard]] gpu::Recorder& recorder() { return recorder_; }
   /// As the last trace() built it.
   [[nodiscard]] const hierarchy::Hierarchy& hierarchy() const { return hierarchy_; }
@@ -82,6 +89,7 @@ class Tracer {
   gpu::Recorder recorder_;
   hierarchy::Hierarchy hierarchy_;
   traversal::Scratch scratch_;
+  intersection::NodeScratch nodes_;
   intersection::SingleScratch single_;
   gpu::Buffer hits_, counters_;
 };

@@ -50,12 +50,26 @@ TEST_CASE("the presets are those of the design") {
     CHECK(preset(name).preset == name);
     CHECK(preset(name).arity == 8);
   }
-  CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh, ray-query"), UserError);
+  CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh, crsh-bvh, ray-query"),
+                       UserError);
 }
 
-TEST_CASE("the default algorithm is crsh") {
+TEST_CASE("nodes go through the object hierarchy on one or two levels") {
+  AlgorithmOptions options = preset("crsh-bvh");
+  CHECK(options.object_hierarchy);
+  CHECK_NOTHROW(require_sound(options));
+  options.levels = {1, 2, 1};
+  CHECK_NOTHROW(require_sound(options));
+  options.levels = {2, 3, 2};
+  CHECK_THROWS_WITH_AS(require_sound(options), Contains("--levels 2"), UserError);
+  options = preset("crsh");
+  options.levels = {8, 8, 8};
+  CHECK_NOTHROW(require_sound(options));
+}
+
+TEST_CASE("the default algorithm is crsh-bvh") {
   const Parsed parsed({});
-  CHECK(parsed.command.options.algorithm.preset == "crsh");
+  CHECK(parsed.command.options.algorithm.preset == "crsh-bvh");
   CHECK(parsed.command.options.algorithm.keys[0] == ray_kinds[0].best_key);
   CHECK_FALSE(parsed.command.options.algorithm.compression);
 }
