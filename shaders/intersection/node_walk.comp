@@ -23,6 +23,7 @@ layout(local_size_x = 64) in;
 #include "shared/node.h"
 #include "shared/walk.h"
 #include "variant.glsl"
+#include "hierarchy/ready.glsl"
 
 /// Test-only mutation: about every so many-th pair of node and triangle is dropped.
 layout(constant_id = 0) const uint drop_every = 0u;

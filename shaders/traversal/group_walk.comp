@@ -14,6 +14,7 @@ layout(local_size_x = 64) in;
 #include "shared/node.h"
 #include "shared/walk.h"
 #include "variant.glsl"
+#include "hierarchy/ready.glsl"
 
 layout(push_constant, scalar) uniform Push {
   uint first_group;

@@ -166,18 +166,3 @@ bool bound_may_hit_box(Node node, Interval interval, vec3 low, vec3 high, bool u
   enter = max(nearest, 0.0);
   return bound_may_hit_sphere(node, interval, vec4(centre, radius), use_interval);
 }
-
-/// For the object hierarchy's walk, which tests one node many times: nothing is worked out before.
-struct ReadyNode {
-  Node node;
-  bool use_interval;
-};
-#define READY ReadyNode
-READY ready(Node node, bool use_interval) { return ReadyNode(node, use_interval); }
-bool ready_may_hit_box(READY ready_node, float reach, vec3 low, vec3 high, out float enter) {
-  return bound_may_hit_box(ready_node.node, Interval(0.0, reach), low, high, ready_node.use_interval, enter);
-}
-bool ready_may_hit_corners(READY ready_node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
-  enter = 0.0;
-  return bound_may_hit_sphere(ready_node.node, Interval(0.0, reach), smallest_sphere(a, b, c), ready_node.use_interval);
-}
