@@ -68,8 +68,9 @@ uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays
 #include "intersection/node_rays.glsl"
 #include "intersection/node_bound.glsl"
 
-/// Turns of loops of a walk, about: lavapipe 22.3 ends loops silently after 65,535.
-const uint most_turns = 640u;
+/// Turns of loops of a node's walk, and of all nodes of a cluster, about. A turn is one of four loops at most, and four
+/// clusters of a subgroup may have to wait for one another: lavapipe 22.3 ends loops silently after 65,535.
+const uint most_turns = 640u, most_turns_in_all = 2560u;
 /// No ray that is inside a box from `enter` on hits anything in it before that, but for rounding.
 const float reach_slack = 1.0 + 8.0 * bound_pad;
 
@@ -86,11 +87,13 @@ struct NodeWalk {
   uint entry;        // of the frontier, not tested yet
   uint entries_end;
   float reach;       // of all rays: nothing beyond can matter; below 0: nothing at all
-  uint turns;
+  uint turns;        // left to take
 };
 
 bool is_idle(NodeWalk walk) { return walk.next == none && walk.depth == 0u && walk.visits == 0u && !walk.leaves; }
 bool is_left(NodeWalk walk) { return walk.reach >= 0.0 && (!is_idle(walk) || walk.entry < walk.entries_end); }
+
+void spend(inout NodeWalk walk, uint turns) { walk.turns -= min(turns, walk.turns); }
 
 bool within(float enter, float reach) { return enter <= reach * reach_slack; }
 
@@ -130,7 +133,7 @@ void test_entries(inout NodeWalk walk, READY node) {
   walk.leaves = lanes_of_cluster(present && walk.visit != none) != walk.visits;
   walk.entry = min(walk.entry + cluster, walk.entries_end);
   box_tests += present ? 1u : 0u;
-  ++walk.turns;
+  spend(walk, 1u);
 }
 
 /// From an inner node to its nearer child that the rays may hit; the other one is left for later.
@@ -153,7 +156,7 @@ void descend(inout NodeWalk walk, READY node) {
   walk.depth += both ? 1u : 0u;
   walk.next = first ? visit0 : visit1;
   walk.enter = first ? enter0 : enter1;
-  ++walk.turns;
+  spend(walk, 1u);
   if (walk.next == none) take(walk);
 }
 
@@ -175,34 +178,37 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
     node_tests += present ? 1u : 0u;
     node_hits += may ? 1u : 0u;
     may = may && (drop_every == 0u || (place + 7u * node_rays.x) % drop_every != 0u);
-    ++walk.turns;
+    spend(walk, 1u);
     met = may ? met : 3e38;
     for (uint left_over = bitCount(lanes_of_cluster(may)); left_over > 0u; --left_over) {
       float nearest = least_of_lanes(met);
       uint k = first_of_cluster() + uint(findLSB(lanes_of_cluster(met == nearest)));
-      walk.turns += meet_rays(passed_round(loaded, k), nearest);
+      spend(walk, meet_rays(passed_round(loaded, k), nearest));
       met = gl_SubgroupInvocationID == k ? 3e38 : met;
     }
     walk.reach = reach_of_rays();
   }
 }
 
-/// Walks one node; whether that is finished.
-bool walk_node(uint node) {
+/// Walks one node, and takes as many turns at most; whether that is finished.
+bool walk_node(uint node, inout uint turns) {
   take_rays(node);
   READY bound = ready(load_bound(node), use_interval == 1u);
   uint list = (grouped == 1u ? parents[node] - first_group : 0u) * frontier_room;
-  NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x, reach_of_rays(), 0u);
-  while (is_left(walk) && walk.turns < most_turns && walk.depth < most_held) {
+  NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x, reach_of_rays(),
+                           min(turns, most_turns));
+  turns -= walk.turns;
+  while (is_left(walk) && walk.turns > 0u && walk.depth < most_held) {
     while (is_idle(walk) && walk.entry < walk.entries_end) test_entries(walk, bound);
     bool entered = walk.leaves;
     if (!entered && walk.next == none) take(walk);
-    while (!entered && is_inner(walk.next) && walk.turns < most_turns && walk.depth < most_held) descend(walk, bound);
+    while (!entered && is_inner(walk.next) && walk.turns > 0u && walk.depth < most_held) descend(walk, bound);
     uint leaf = lane_in_cluster() == 0u ? walk.next : none;
     meet_leaves(walk, bound, entered ? walk.visit : leaf, entered ? walk.visit_enter : walk.enter);
     walk.next = is_inner(walk.next) ? walk.next : none;
     walk.leaves = false;
   }
+  turns += walk.turns;
   return !is_left(walk);
 }
 
@@ -210,10 +216,11 @@ void main() {
   uint first_place = node_place();
   if (first_place >= clusters) return;
   box_tests = node_tests = node_hits = ray_tests = 0u;
+  uint turns = most_turns_in_all;
   for (uint place = first_place; place < node_count; place += clusters) {
     uint node = first_node + place;
     uvec2 before = uvec2(box_tests, node_tests);
-    give_rays(walk_node(node));
+    give_rays(walk_node(node, turns));
     ACCOUNT(tests_object, box_account + node, box_tests - before.x)
     ACCOUNT(tests_node, node_account + node, node_tests - before.y)
   }
