@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "frame/ray_table.h"
+#include "frame/trace.h"
 #include "rays/hash.h"
 
 namespace crsh {
@@ -21,7 +22,7 @@ std::vector<uint32_t> read_w(gpu::Recorder& recorder, const gpu::Buffer& buffer,
 std::vector<uint32_t> read_keys(Renderer::State& s) {
   const rays::Batch& batch = s.batch.rays;
   const rays::Keys& keys = s.options.algorithm.keys;
-  if (s.options.algorithm.tracing != Tracing::nodes || !rays::any_sorted(batch, keys)) return std::vector<uint32_t>(batch.count);
+  if (tracing_of(s) != Tracing::nodes || !rays::any_sorted(batch, keys)) return std::vector<uint32_t>(batch.count);
   const uint32_t bits = rays::hash(s.recorder, batch, keys, s.gpu_scene.bounds, s.batch.sort.pairs) -
                         std::bit_width(batch.segments.size() - 1);
   std::vector<uint32_t> hashes;
@@ -35,7 +36,7 @@ std::vector<uint32_t> read_places(Renderer::State& s) {
   const uint32_t count = s.batch.rays.count;
   std::vector<uint32_t> places(count);
   std::iota(places.begin(), places.end(), 0u);
-  if (s.options.algorithm.tracing != Tracing::nodes) return places;
+  if (tracing_of(s) != Tracing::nodes) return places;
   const auto order = s.recorder.read<uint32_t>(s.batch.order.order, count);
   for (uint32_t place = 0; place < count; ++place) places[order[place]] = place;
   return places;

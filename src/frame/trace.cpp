@@ -31,6 +31,13 @@ void begin_account(Renderer::State& s, const rays::Batch& batch) {
   s.batch.account.begin(s.recorder, wanted, batch.count, s.batch.hierarchy);
 }
 
+/// Neither sorted nor bundled.
+void begin_without_nodes(Renderer::State& s, const rays::Batch& batch) {
+  s.batch.hierarchy.depth = 0;
+  s.batch.order.chunks.clear();
+  begin_account(s, batch);
+}
+
 /// The tests of a batch's rays and nodes go to the film.
 void share_tests(Renderer::State& s, const rays::Batch& batch, const RayNames& names) {
   for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
@@ -98,9 +105,7 @@ void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t boun
 
 /// Step 6 for rays one by one.
 void trace_single(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  s.batch.hierarchy.depth = 0;
-  s.batch.order.chunks.clear();
-  begin_account(s, batch);
+  begin_without_nodes(s, batch);
   for (const rays::Segment& segment : batch.segments)
     intersection::intersect_single(s.recorder,
                                    {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
@@ -110,9 +115,7 @@ void trace_single(Renderer::State& s, const rays::Batch& batch, uint32_t bounce)
 
 /// Step 6 by the device's own ray queries.
 void trace_queries(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  s.batch.hierarchy.depth = 0;
-  s.batch.order.chunks.clear();
-  begin_account(s, batch);
+  begin_without_nodes(s, batch);
   for (const rays::Segment& segment : batch.segments)
     intersection::query(s.recorder,
                         {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(), Counters::row(bounce, segment.kind),
@@ -122,9 +125,7 @@ void trace_queries(Renderer::State& s, const rays::Batch& batch, uint32_t bounce
 
 /// Step 6 without any structure.
 void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  s.batch.hierarchy.depth = 0;
-  s.batch.order.chunks.clear();
-  begin_account(s, batch);
+  begin_without_nodes(s, batch);
   for (const rays::Segment& segment : batch.segments)
     intersection::intersect_all(s.recorder,
                                 {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
@@ -132,16 +133,9 @@ void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) 
                                 segment);
 }
 
-/// Where the object hierarchy holds so little, sorting costs more than it saves.
-bool is_worth_sorting(const Renderer::State& s) {
-  constexpr uint32_t few_triangles = 128;
-  return !s.options.algorithm.object_hierarchy || s.gpu_scene.triangle_count > few_triangles;
-}
-
 void walk(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
-  switch (s.options.algorithm.tracing) {
-    case Tracing::nodes:
-      return is_worth_sorting(s) ? trace_hierarchy(s, batch, bounce) : trace_single(s, batch, bounce);
+  switch (tracing_of(s)) {
+    case Tracing::nodes: return trace_hierarchy(s, batch, bounce);
     case Tracing::single_rays: return trace_single(s, batch, bounce);
     case Tracing::brute: return trace_brute(s, batch, bounce);
     case Tracing::ray_query: return trace_queries(s, batch, bounce);
@@ -149,6 +143,14 @@ void walk(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
 }
 
 }  // namespace
+
+Tracing tracing_of(const Renderer::State& s) {
+  constexpr uint32_t few_triangles = 128;
+  const AlgorithmOptions& options = s.options.algorithm;
+  const bool not_worth_it =
+      options.tracing == Tracing::nodes && options.object_hierarchy && s.gpu_scene.triangle_count <= few_triangles;
+  return not_worth_it ? Tracing::single_rays : options.tracing;
+}
 
 void place_objects(Renderer::State& s, const scene::Pose& pose) {
   scene::animate(s.recorder, s.gpu_scene, s.scene, pose, s.lights);

@@ -8,6 +8,7 @@
 
 #include "shared/limits.h"
 #include "support/device.h"
+#include "images/built_scene.h"
 #include "support/render.h"
 
 namespace crsh::test {
@@ -81,6 +82,19 @@ TEST_CASE("one frame's rays, replayed with any algorithm, have the counters of a
     CHECK(replay.rays.t == frame.rays.t);
     CHECK(replay.rays.transmittance == frame.rays.transmittance);
   }
+}
+
+TEST_CASE("in a scene too small to sort rays for, they stay where they were created, and are replayed alike") {
+  Triangles triangles;
+  triangles.add_quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1});
+  triangles.add_quad({-1, -0.5f, 0.5f}, {1, -0.5f, 0.5f}, {1, 0.8f, 0.5f}, {-1, 0.8f, 0.5f});
+  const scene::Scene scene = built_scene(triangles, {matt(glm::vec3(0.5f))});
+  RenderOptions options = small("crsh-bvh");
+  options.override_mirror = true;
+  const Dumped frame = dumped(scene, options);
+  REQUIRE(frame.rays.size() > 0);
+  for (uint32_t row = 0; row < frame.rays.size(); ++row) CHECK(frame.rays.sorted[row] == row);
+  CHECK(different_column(frame.rays, replayed(scene, options, frame.rays).rays) == -1);
 }
 
 TEST_CASE("a dump sums up to the counters, and its places are those of a sort by batch, kind, light and key") {
