@@ -27,8 +27,11 @@ void take_rays(uint node) {
   node_rays = rays_of[node];
 }
 
-/// The triangle against all rays that want it. Returns how many turns that took.
-uint meet_rays(Loaded triangle, float enter) {
+/// Turns of a loop over the rays.
+uint turns_of_rays() { return node_rays.y - node_rays.x; }
+
+/// The triangle against all rays that want it.
+void meet_rays(Loaded triangle, float enter) {
   for (uint i = node_rays.x; i < node_rays.y; ++i) {
     Ray ray = rays[i];
     uint id = order[i];
@@ -39,7 +42,6 @@ uint meet_rays(Loaded triangle, float enter) {
       ACCOUNT(tests_triangle, triangle_account + id, 1u)
     }
   }
-  return node_rays.y - node_rays.x;
 }
 
 /// No ray of the node is interested in anything beyond; below 0: in anything.
@@ -90,7 +92,9 @@ void take_rays(uint node) {
   }
 }
 
-uint meet_rays(Loaded triangle, float enter) {
+uint turns_of_rays() { return rows; }
+
+void meet_rays(Loaded triangle, float enter) {
   for (uint row = 0u; row < rows; ++row) {
     bool wanted = has_ray(row) && is_wanted(own_ray[row], own_hit[row], enter);
     // Most nodes fill one row: a loop, because lavapipe 22.3 never skips an `if`.
@@ -100,7 +104,6 @@ uint meet_rays(Loaded triangle, float enter) {
       own_tests[row] += wanted ? 1u : 0u;
     }
   }
-  return rows;
 }
 
 float reach_of_rays() {

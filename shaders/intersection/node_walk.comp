@@ -180,13 +180,16 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
     may = may && (drop_every == 0u || (place + 7u * node_rays.x) % drop_every != 0u);
     spend(walk, 1u);
     met = may ? met : 3e38;
-    for (uint left_over = bitCount(lanes_of_cluster(may)); left_over > 0u; --left_over) {
+    uint hits = bitCount(lanes_of_cluster(may));
+    for (uint left_over = hits; left_over > 0u; --left_over) {
       float nearest = least_of_lanes(met);
       uint k = first_of_cluster() + uint(findLSB(lanes_of_cluster(met == nearest)));
-      spend(walk, meet_rays(passed_round(loaded, k), nearest));
+      meet_rays(passed_round(loaded, k), nearest);
+      spend(walk, turns_of_rays());
       met = gl_SubgroupInvocationID == k ? 3e38 : met;
     }
-    walk.reach = reach_of_rays();
+    for (bool changed = hits > 0u; changed; changed = false) walk.reach = reach_of_rays();
+    spend(walk, hits > 0u ? turns_of_rays() : 0u);
   }
 }
 

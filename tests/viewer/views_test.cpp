@@ -61,7 +61,7 @@ TEST_CASE("nodes are drawn for the pixel under the cursor or for all, by level; 
   check_all_differ({"move 480 200", "click ray nodes\nmove 480 200", "move 430 320", "click all nodes\nmove 480 200",
                     "choose of rays=reflection\nmove 480 200",
                     "click all nodes\nclick ray nodes\nclick object bounds\nmove 480 200",
-                    "choose algorithm=bvh\nmove 480 200"});
+                    "choose algorithm=crsh\nmove 480 200"});
 }
 
 TEST_CASE("the line compares two algorithms and is dragged") {
