@@ -89,7 +89,7 @@ Option key_option(AlgorithmOptions& algorithm) {
 }
 
 Option levels_option(AlgorithmOptions& algorithm) {
-  return {.names = "--levels", .value = "[KIND=]N", .help = "Levels of nodes above the rays, 1 to 8. Repeats.",
+  return {.names = "--levels", .value = "[KIND=]N", .help = "Levels of nodes above the rays, 1 to 8; 1 or 2 of crsh-bvh. Repeats.",
           .set = [&algorithm](const std::string& given) {
             for_kinds(given, [&](size_t kind, const std::string& value) {
               algorithm.levels[kind] = static_cast<uint32_t>(parse_integer(value, 1, 8));
