@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "error.h"
 #include "gpu/device.h"
+#include "leaks.h"
 #include "output/whole_file.h"
 #include "version.h"
 
