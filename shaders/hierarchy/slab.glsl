@@ -109,11 +109,18 @@ bool bound_may_hit_sphere(Slab node, Interval interval, vec4 sphere, bool use_in
   return bound_may_hit_box(node, interval, padded_low, padded_high, use_interval, enter);
 }
 
-/// The triangle's own padded box; its padding by the origins stands in the node.
-bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3 c, bool use_interval) {
+/// A triangle's own padded box; its padding by the origins stands in the node.
+void slab_box_of(vec3 a, vec3 b, vec3 c, out vec3 low, out vec3 high) {
   precise vec3 pad = vec3(slab_pad * max(max(largest(a), largest(b)), largest(c)));
-  precise vec3 low = min(min(a, b), c) - pad;
-  precise vec3 high = max(max(a, b), c) + pad;
+  precise vec3 padded_low = min(min(a, b), c) - pad;
+  precise vec3 padded_high = max(max(a, b), c) + pad;
+  low = padded_low;
+  high = padded_high;
+}
+
+bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3 c, bool use_interval) {
+  vec3 low, high;
+  slab_box_of(a, b, c, low, high);
   float enter;
   return bound_may_hit_box(node, interval, low, high, use_interval, enter);
 }
@@ -154,10 +161,8 @@ bool slab_ready_may_hit_box(ReadySlab node, float reach, vec3 low, vec3 high, ou
   return enter <= last && all(lessThanEqual(node.low, high)) && all(greaterThanEqual(node.high, low));
 }
 
-/// The triangle's own padded box; its padding by the origins stands in the node.
 bool slab_ready_may_hit_corners_box(ReadySlab node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
-  precise vec3 pad = vec3(slab_pad * max(max(largest(a), largest(b)), largest(c)));
-  precise vec3 low = min(min(a, b), c) - pad;
-  precise vec3 high = max(max(a, b), c) + pad;
+  vec3 low, high;
+  slab_box_of(a, b, c, low, high);
   return slab_ready_may_hit_box(node, reach, low, high, enter);
 }

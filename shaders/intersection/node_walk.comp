@@ -128,9 +128,8 @@ void test_entries(inout NodeWalk walk, READY node) {
   if (present) entry = frontier[mine];
   present = present && within(uintBitsToFloat(entry.y), walk.reach);
   walk.visit = test_slot(node, walk.reach, entry.x, present, walk.visit_enter);
-  walk.visit = present ? walk.visit : none;
   walk.visits = lanes_of_cluster(is_inner(walk.visit));
-  walk.leaves = lanes_of_cluster(present && walk.visit != none) != walk.visits;
+  walk.leaves = lanes_of_cluster(walk.visit != none) != walk.visits;
   walk.entry = min(walk.entry + cluster, walk.entries_end);
   box_tests += present ? 1u : 0u;
   spend(walk, 1u);

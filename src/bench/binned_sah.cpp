@@ -94,13 +94,6 @@ class BinnedBuild {
   std::vector<SahBox> boxes_;
 };
 
-/// The animation that a renderer plays, which has refused other names.
-std::optional<uint32_t> animation_of(const scene::Scene& scene, const std::string& which) {
-  for (uint32_t i = 0; i < scene.animations.size(); ++i)
-    if (which.empty() || scene.animations[i].name == which || std::to_string(i) == which) return i;
-  return {};
-}
-
 }  // namespace
 
 double SahBox::half_area() const {
@@ -116,7 +109,7 @@ void SahBox::include(const SahBox& other) {
 double binned_sah_cost(std::vector<SahBox> boxes) { return BinnedBuild(std::move(boxes)).run(); }
 
 std::vector<SahBox> world_boxes(const scene::Scene& scene, const Variant& variant) {
-  const scene::Pose pose = scene.pose(variant.seconds, animation_of(scene, variant.options.animation));
+  const scene::Pose pose = scene.pose(variant.seconds, scene.find_animation(variant.options.animation));
   std::vector<SahBox> boxes;
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];

@@ -18,17 +18,6 @@ using Clock = std::chrono::steady_clock;
 /// Pairs of a candidate list where memory is short: two batches of triangles.
 constexpr uint64_t frugal_pairs = 65536;
 
-/// The animation to play: by index or name, the first by default; none where the file has none.
-std::optional<uint32_t> animation_of(const scene::Scene& scene, const std::string& which) {
-  if (which.empty()) return scene.animations.empty() ? std::nullopt : std::optional<uint32_t>(0);
-  for (uint32_t i = 0; i < scene.animations.size(); ++i)
-    if (scene.animations[i].name == which || std::to_string(i) == which) return i;
-  std::string names;
-  for (const scene::Animation& animation : scene.animations) names += " '" + animation.name + "'";
-  throw UserError(fmt::format("{}: has no animation '{}'; it has {}:{}", scene.path.string(), which,
-                              scene.animations.size(), names.empty() ? " none" : names));
-}
-
 /// What a frame counted joins the run's sums.
 void add(Statistics& sum, const Statistics& frame) {
   for (size_t r = 0; r < frame.rays.size(); ++r) {
@@ -65,7 +54,7 @@ bool all_plain(const scene::Scene& scene) {
 void apply(Renderer::State& s, RenderOptions options) {
   require_sound(options.algorithm);
   if (options.algorithm.tracing == Tracing::ray_query) objects::require_ray_queries(s.device);
-  const std::optional<uint32_t> animation = animation_of(s.scene, options.animation);
+  const std::optional<uint32_t> animation = s.scene.find_animation(options.animation);
   const scene::Pose pose = s.scene.pose(0, animation);
   const scene::Bounds bounds = s.scene.bounds(pose);
   const raster::ImageSize size = raster::image_size(s.scene, options);

@@ -79,10 +79,12 @@ class Device {
   /// Another budget from here on, as in DeviceRequest; and a peak that forgets what was before.
   void set_memory_budget(uint64_t bytes) { request_.memory_budget = bytes; }
   void forget_peak() { peak_ = allocated_; }
+  /// Whether kernels may pass values between lanes.
+  [[nodiscard]] bool may_shuffle() const { return info_.shuffles && !request_.walk_alone; }
   /// What follows the name of a kernel that comes in two builds (lib/together.glsl): nothing where subgroups read lists
   /// together, which pays on a CPU, or "-alone".
   [[nodiscard]] const char* lanes() const {
-    return info_.software && info_.shuffles && !request_.walk_alone ? "" : "-alone";
+    return info_.software && may_shuffle() ? "" : "-alone";
   }
   /// Pipelines are made anew at their next use. None may be in use.
   void forget_programs();

@@ -23,6 +23,10 @@ class Submission {
   void abandon() { recording_ = false; }
   /// Submits and waits. `doing` is for the error's sentence.
   void submit(const char* doing);
+  /// Submits without waiting: begins when `after` is signalled, if any, and signals `before` at its end.
+  void send(const char* doing, VkSemaphore after = VK_NULL_HANDLE, VkSemaphore before = VK_NULL_HANDLE);
+  /// Waits for what was sent; does nothing where nothing is under way.
+  void wait(const char* doing);
   /// A full memory barrier: everything written before is visible to everything after, reads by the host included.
   void barrier() const;
 
@@ -32,7 +36,11 @@ class Submission {
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
-  bool recording_ = false;
+  bool recording_ = false, under_way_ = false;
 };
+
+/// Brings an image from one layout to another, all before done, nothing after begun.
+void change_layout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to,
+                   VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT);
 
 }  // namespace crsh::gpu

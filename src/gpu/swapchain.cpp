@@ -7,6 +7,9 @@
 namespace crsh::gpu {
 namespace {
 
+/// For errors' sentences.
+constexpr const char* drawing = "drawing the window";
+
 constexpr VkClearColorValue dark_grey = {.float32 = {0.09f, 0.09f, 0.1f, 1}};
 
 VkSemaphore make_semaphore(Device& device) {
@@ -42,19 +45,8 @@ void append_pixel(std::vector<uint8_t>& rgb, const uint8_t* pixel, bool blue_fir
 }  // namespace
 
 Swapchain::Swapchain(Device& device, const Surface& surface)
-    : device_(device), surface_(surface), format_(surface.format()) {
+    : device_(device), surface_(surface), submission_(device), format_(surface.format()) {
   make_render_pass();
-  VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-  pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
-  pool.queueFamilyIndex = device.queue_family();
-  check(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_), "making a command pool");
-  VkCommandBufferAllocateInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-  buffer.commandPool = pool_;
-  buffer.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  buffer.commandBufferCount = 1;
-  check(vkAllocateCommandBuffers(device.handle(), &buffer, &commands_), "making a command buffer");
-  const VkFenceCreateInfo fence{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  check(vkCreateFence(device.handle(), &fence, nullptr, &fence_), "making a fence");
   acquired_ = make_semaphore(device);
 }
 
@@ -63,8 +55,6 @@ Swapchain::~Swapchain() {
   drop_frames();
   vkDestroySwapchainKHR(device_.handle(), swapchain_, nullptr);
   vkDestroySemaphore(device_.handle(), acquired_, nullptr);
-  vkDestroyFence(device_.handle(), fence_, nullptr);
-  vkDestroyCommandPool(device_.handle(), pool_, nullptr);
   vkDestroyRenderPass(device_.handle(), render_pass_, nullptr);
 }
 
@@ -99,7 +89,6 @@ bool Swapchain::resize(uint32_t width, uint32_t height) {
   if (wanted.width == 0 || wanted.height == 0) return false;
   if (!stale_ && wanted.width == size_.width && wanted.height == size_.height) return true;
   device_.wait_idle();
-  under_way_ = false;
   drop_frames();
   can_copy_ = capabilities.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   VkSwapchainCreateInfoKHR info{.sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
@@ -155,12 +144,7 @@ void Swapchain::drop_frames() {
   frames_.clear();
 }
 
-void Swapchain::wait() {
-  if (!under_way_) return;
-  check(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX), "drawing the window");
-  check(vkResetFences(device_.handle(), 1, &fence_), "drawing the window");
-  under_way_ = false;
-}
+void Swapchain::wait() { submission_.wait(drawing); }
 
 bool Swapchain::acquire(uint32_t& index) {
   const VkResult result =
@@ -171,20 +155,17 @@ bool Swapchain::acquire(uint32_t& index) {
   return true;
 }
 
-void Swapchain::record_all(const Frame& frame, const WindowFrame& window, const Buffer* copy) const {
-  check(vkResetCommandPool(device_.handle(), pool_, 0), "resetting a command pool");
-  VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(commands_, &begin), "beginning a command buffer");
-  change_layout(commands_, frame.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+void Swapchain::record_all(const Frame& frame, const WindowFrame& window, const Buffer* copy) {
+  submission_.begin();
+  const VkCommandBuffer commands = submission_.commands();
+  change_layout(commands, frame.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
   const VkImageSubresourceRange whole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  vkCmdClearColorImage(commands_, frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &dark_grey, 1, &whole);
-  change_layout(commands_, frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  vkCmdClearColorImage(commands, frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &dark_grey, 1, &whole);
+  change_layout(commands, frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
   for (const ShownTexture& shown : window.textures) show(frame, shown);
-  change_layout(commands_, frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+  change_layout(commands, frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   draw_above(frame, window);
   if (copy) copy_out(frame, *copy);
-  check(vkEndCommandBuffer(commands_), "drawing the window");
 }
 
 /// What of it lies outside of the window is not shown.
@@ -202,9 +183,10 @@ void Swapchain::show(const Frame& frame, const ShownTexture& shown) const {
   region.dstOffsets[0] = {to.left, to.top, 0};
   region.dstOffsets[1] = {to.right, to.bottom, 1};
   const bool same = to.right - to.left == from.right - from.left && to.bottom - to.top == from.bottom - from.top;
-  vkCmdBlitImage(commands_, shown.texture->image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, frame.image,
+  vkCmdBlitImage(submission_.commands(), shown.texture->image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, frame.image,
                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, same ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
-  change_layout(commands_, frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  change_layout(submission_.commands(), frame.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
 }
 
 void Swapchain::draw_above(const Frame& frame, const WindowFrame& window) const {
@@ -212,36 +194,21 @@ void Swapchain::draw_above(const Frame& frame, const WindowFrame& window) const 
   pass.renderPass = render_pass_;
   pass.framebuffer = frame.framebuffer;
   pass.renderArea.extent = size_;
-  vkCmdBeginRenderPass(commands_, &pass, VK_SUBPASS_CONTENTS_INLINE);
-  window.record(commands_);
-  vkCmdEndRenderPass(commands_);
+  vkCmdBeginRenderPass(submission_.commands(), &pass, VK_SUBPASS_CONTENTS_INLINE);
+  window.record(submission_.commands());
+  vkCmdEndRenderPass(submission_.commands());
 }
 
 void Swapchain::copy_out(const Frame& frame, const Buffer& pixels) const {
-  change_layout(commands_, frame.image, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  change_layout(submission_.commands(), frame.image, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
+                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   VkBufferImageCopy region{};
   region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   region.imageExtent = {size_.width, size_.height, 1};
-  vkCmdCopyImageToBuffer(commands_, frame.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1, &region);
-  change_layout(commands_, frame.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
-}
-
-void Swapchain::submit(const Frame& frame) {
-  VkCommandBufferSubmitInfo commands{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
-  commands.commandBuffer = commands_;
-  VkSemaphoreSubmitInfo wait{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-  wait.semaphore = acquired_;
-  wait.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  VkSemaphoreSubmitInfo signal{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-  signal.semaphore = frame.drawn;
-  signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  VkSubmitInfo2 info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-  info.waitSemaphoreInfoCount = info.signalSemaphoreInfoCount = info.commandBufferInfoCount = 1;
-  info.pWaitSemaphoreInfos = &wait;
-  info.pSignalSemaphoreInfos = &signal;
-  info.pCommandBufferInfos = &commands;
-  check(vkQueueSubmit2(device_.queue(), 1, &info, fence_), "drawing the window");
-  under_way_ = true;
+  vkCmdCopyImageToBuffer(submission_.commands(), frame.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1,
+                         &region);
+  change_layout(submission_.commands(), frame.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
 }
 
 void Swapchain::present(uint32_t index) {
@@ -250,6 +217,7 @@ void Swapchain::present(uint32_t index) {
   info.pWaitSemaphores = &frames_[index].drawn;
   info.pSwapchains = &swapchain_;
   info.pImageIndices = &index;
+  const std::lock_guard lock(device_.queue_mutex());
   const VkResult result = vkQueuePresentKHR(device_.queue(), &info);
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) stale_ = true;
   else check(result, "showing the window");
@@ -272,11 +240,8 @@ bool Swapchain::draw(const WindowFrame& window, Screenshot* screenshot) {
   Buffer pixels;
   if (screenshot) pixels = Buffer(device_, uint64_t(size_.width) * size_.height * 4, "screenshot", true);
   record_all(frames_[index], window, screenshot ? &pixels : nullptr);
-  {
-    const std::lock_guard lock(device_.queue_mutex());
-    submit(frames_[index]);
-    present(index);
-  }
+  submission_.send(drawing, acquired_, frames_[index].drawn);
+  present(index);
   if (screenshot) wait(), read_back(pixels, *screenshot);
   return true;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/submission.h"
 #include "gpu/surface.h"
 #include "gpu/texture.h"
 
@@ -68,26 +69,22 @@ class Swapchain {
   void make_frames();
   void drop_frames();
   [[nodiscard]] bool acquire(uint32_t& index);
-  void record_all(const Frame& frame, const WindowFrame& window, const Buffer* copy) const;
+  void record_all(const Frame& frame, const WindowFrame& window, const Buffer* copy);
   void show(const Frame& frame, const ShownTexture& shown) const;
   void draw_above(const Frame& frame, const WindowFrame& window) const;
   void copy_out(const Frame& frame, const Buffer& pixels) const;
-  void submit(const Frame& frame);
   void present(uint32_t index);
   void read_back(const Buffer& pixels, Screenshot& screenshot) const;
 
   Device& device_;
   const Surface& surface_;
+  Submission submission_;
   VkSurfaceFormatKHR format_{};
   VkExtent2D size_{};
   bool stale_ = true, can_copy_ = false;
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
   VkRenderPass render_pass_ = VK_NULL_HANDLE;
-  VkCommandPool pool_ = VK_NULL_HANDLE;
-  VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  VkFence fence_ = VK_NULL_HANDLE;
   VkSemaphore acquired_ = VK_NULL_HANDLE;
-  bool under_way_ = false;
   std::vector<Frame> frames_;
 };
 

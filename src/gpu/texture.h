@@ -39,7 +39,4 @@ class Texture {
   uint64_t counted_ = 0;
 };
 
-/// Brings an image from one layout to another, all before done, nothing after begun.
-void change_layout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to);
-
 }  // namespace crsh::gpu

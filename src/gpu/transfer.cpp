@@ -44,18 +44,7 @@ void Transfer::download(VkBuffer source, uint64_t offset, void* data, uint64_t b
 
 void Transfer::make_general(VkImage image, VkImageAspectFlags aspect) {
   submission_.begin();
-  VkImageMemoryBarrier2 transition{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-  transition.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  transition.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-  transition.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-  transition.newLayout = VK_IMAGE_LAYOUT_GENERAL;
-  transition.srcQueueFamilyIndex = transition.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  transition.image = image;
-  transition.subresourceRange = {aspect, 0, 1, 0, 1};
-  VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  info.imageMemoryBarrierCount = 1;
-  info.pImageMemoryBarriers = &transition;
-  vkCmdPipelineBarrier2(submission_.commands(), &info);
+  change_layout(submission_.commands(), image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL, aspect);
   submission_.submit("preparing an image");
 }
 

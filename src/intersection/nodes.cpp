@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "primitives/grow.h"
-#include "shared/limits.h"
-#include "shared/walk.h"
 
 namespace crsh::intersection {
 namespace {
@@ -86,7 +83,7 @@ class Nodes {
   [[nodiscard]] uint32_t cluster() const {
     const gpu::Device& device = recorder_.device();
     const uint32_t subgroup = device.info().subgroup_size;
-    if (!device.info().shuffles || device.request().walk_alone || workgroup % subgroup || subgroup < 2) return 1;
+    if (!device.may_shuffle() || workgroup % subgroup || subgroup < 2) return 1;
     return std::min({most_cluster, std::bit_ceil(in_.traversal.options.arity), subgroup});
   }
 

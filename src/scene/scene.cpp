@@ -1,8 +1,11 @@
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "error.h"
 #include "scene/animation.h"
 
 namespace crsh::scene {
@@ -48,6 +51,16 @@ uint64_t Scene::triangle_count() const {
   uint64_t count = 0;
   for (const Instance& instance : instances) count += meshes[instance.mesh].triangles.size();
   return count;
+}
+
+std::optional<uint32_t> Scene::find_animation(const std::string& which) const {
+  if (which.empty()) return animations.empty() ? std::nullopt : std::optional<uint32_t>(0);
+  for (uint32_t i = 0; i < animations.size(); ++i)
+    if (animations[i].name == which || std::to_string(i) == which) return i;
+  std::string names;
+  for (const Animation& animation : animations) names += " '" + animation.name + "'";
+  throw UserError(fmt::format("{}: has no animation '{}'; it has {}:{}", path.string(), which, animations.size(),
+                              names.empty() ? " none" : names));
 }
 
 Pose Scene::pose(double seconds, std::optional<uint32_t> animation) const {

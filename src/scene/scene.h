@@ -155,6 +155,8 @@ struct Scene {
 
   /// Drawn triangles, instances expanded.
   [[nodiscard]] uint64_t triangle_count() const;
+  /// The animation of this index or name; empty: the first, if any. Throws UserError that lists them.
+  [[nodiscard]] std::optional<uint32_t> find_animation(const std::string& which) const;
   /// World transforms at `seconds` of animation `animation` (none: the nodes as they stand).
   [[nodiscard]] Pose pose(double seconds, std::optional<uint32_t> animation) const;
   /// World bounds of all drawn geometry in this pose (empty for an empty scene).
