@@ -12,15 +12,15 @@ uint sum_of_lanes(uint value) { return value; }
 /// The first lane whose inclusive sum is above `place`.
 uint lane_of_sum(uint sum, uint place) { return 0u; }
 /// Of all lanes of the cluster.
-float least_of_lanes(float value) { return value; }
+uint least_of_lanes(uint value) { return value; }
 float largest_of_lanes(float value) { return value; }
 #else
 uint lane_in_cluster() { return gl_SubgroupInvocationID & (cluster - 1u); }
 uint first_of_cluster() { return gl_SubgroupInvocationID & ~(cluster - 1u); }
 uint lanes_of_cluster(bool value) {
-  uvec4 ballot = subgroupBallot(value);
-  uint first = first_of_cluster();
-  return (ballot[first >> 5u] >> (first & 31u)) & (0xFFFFFFFFu >> (32u - cluster));
+  uint bits = value ? 1u << lane_in_cluster() : 0u;
+  for (uint apart = 1u; apart < cluster; apart <<= 1u) bits |= FROM_LANE(bits, gl_SubgroupInvocationID ^ apart);
+  return bits;
 }
 uint sum_of_lanes(uint value) {
   for (uint apart = 1u; apart < cluster; apart <<= 1u) {
@@ -34,7 +34,7 @@ uint lane_of_sum(uint sum, uint place) {
   for (uint k = 0u; k + 1u < cluster; ++k) lane += FROM_LANE(sum, first_of_cluster() + k) <= place ? 1u : 0u;
   return lane;
 }
-float least_of_lanes(float value) {
+uint least_of_lanes(uint value) {
   for (uint apart = 1u; apart < cluster; apart <<= 1u) value = min(value, FROM_LANE(value, gl_SubgroupInvocationID ^ apart));
   return value;
 }

@@ -61,8 +61,7 @@ uvec4 meet(uvec4 hit, Ray ray, Shear shear, Loaded loaded) {
   bool stopped = shadow && met && (flags & triangle_transmissive) == 0u;
   uvec4 result = closer ? uvec4(floatBitsToUint(t), triangle, 0u, 0u) : hit;
   result = stopped ? uvec4(blocked, blocked, blocked, 0u) : result;
-  // Rare and costly: a loop, because lavapipe 22.3 never skips an `if`.
-  for (bool tinted = shadow && met && !stopped; tinted; tinted = false)
+  if (shadow && met && !stopped)
     result.xyz = saturating_sum(result.xyz, materials[flags & triangle_material_mask].tint.xyz);
   return result;
 }

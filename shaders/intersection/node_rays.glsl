@@ -36,7 +36,7 @@ void meet_rays(Loaded triangle, float enter) {
     Ray ray = rays[i];
     uint id = order[i];
     uvec4 hit = hits[id];
-    for (bool wanted = is_wanted(ray, hit, enter); wanted; wanted = false) {
+    if (is_wanted(ray, hit, enter)) {
       hits[id] = meet(hit, ray, shear_of(ray.direction.xyz), triangle);
       ++ray_tests;
       ACCOUNT(tests_triangle, triangle_account + id, 1u)
@@ -60,69 +60,98 @@ void give_rays(bool done) {
   for (uint i = done ? node_rays.y : node_rays.x; i < node_rays.y; ++i) {
     uint id = order[i];
     hits[id] = cleared_hit(rays[i]);
-    left[id - first_ray] = 1u;
-    atomicAdd(left_count[0], 1u);
+    left[atomicAdd(left_count[0], 1u)] = id - first_ray;
   }
 }
 
 #else
 
-// Ray `row * cluster + lane` of the node is lane's; those past the node's last one are never wanted.
-uint own_id[rows];
-Ray own_ray[rows];
-Shear own_shear[rows];
-uvec4 own_hit[rows];
-uint own_tests[rows];
+// Ray `row * cluster + lane` of the node is lane's; those past the node's last one are never wanted. A row is a variable
+// of its own: drivers keep an array in memory where a loop over it is not unrolled, as lavapipe does with loops in loops.
+struct OwnRay {
+  uint id;
+  Ray ray;
+  Shear shear;
+  uvec4 hit;
+  uint tests;
+};
+OwnRay own_0, own_1, own_2, own_3, own_4, own_5, own_6, own_7;
+#define EACH_ROW(DO)         \
+  DO(own_0, 0u)              \
+  if (rows > 1u) DO(own_1, 1u) \
+  if (rows > 2u) DO(own_2, 2u) \
+  if (rows > 3u) DO(own_3, 3u) \
+  if (rows > 4u) DO(own_4, 4u) \
+  if (rows > 5u) DO(own_5, 5u) \
+  if (rows > 6u) DO(own_6, 6u) \
+  if (rows > 7u) DO(own_7, 7u)
 
 bool has_ray(uint row) { return row * cluster + lane_in_cluster() < node_rays.y - node_rays.x; }
 
+OwnRay taken_ray(uint row) {
+  OwnRay own = OwnRay(0u, Ray(vec4(0.0), vec4(1.0)), Shear(false, false, 0.0, vec2(0.0)), uvec4(0u), 0u);
+  if (has_ray(row)) {  // software pays by the lane
+    uint position = node_rays.x + row * cluster + lane_in_cluster();
+    own.id = order[position];
+    own.ray = rays[position];
+  }
+  own.shear = shear_of(own.ray.direction.xyz);
+  own.hit = cleared_hit(own.ray);
+  return own;
+}
+
 void take_rays(uint node) {
   node_rays = rays_of[node];
-  for (uint row = 0u; row < rows; ++row) {
-    own_id[row] = 0u;
-    own_ray[row] = Ray(vec4(0.0), vec4(1.0));
-    if (has_ray(row)) {  // software pays by the lane
-      uint position = node_rays.x + row * cluster + lane_in_cluster();
-      own_id[row] = order[position];
-      own_ray[row] = rays[position];
-    }
-    own_shear[row] = shear_of(own_ray[row].direction.xyz);
-    own_hit[row] = cleared_hit(own_ray[row]);
-    own_tests[row] = 0u;
-  }
+#define TAKE(own, row) own = taken_ray(row);
+  EACH_ROW(TAKE)
 }
 
 uint turns_of_rays() { return rows; }
 
-void meet_rays(Loaded triangle, float enter) {
-  for (uint row = 0u; row < rows; ++row) {
-    bool wanted = has_ray(row) && is_wanted(own_ray[row], own_hit[row], enter);
-    // Most nodes fill one row: a loop, because lavapipe 22.3 never skips an `if`.
-    for (bool some = row == 0u || wanted; some; some = false) {
-      uvec4 hit = meet(own_hit[row], own_ray[row], own_shear[row], triangle);
-      own_hit[row] = wanted ? hit : own_hit[row];
-      own_tests[row] += wanted ? 1u : 0u;
-    }
+void meet_own(inout OwnRay own, uint row, Loaded triangle, float enter) {
+  bool wanted = has_ray(row) && is_wanted(own.ray, own.hit, enter);
+  if (wanted) {
+    own.hit = meet(own.hit, own.ray, own.shear, triangle);
+    ++own.tests;
   }
+}
+
+void meet_rays(Loaded triangle, float enter) {
+#define MEET(own, row) meet_own(own, row, triangle, enter);
+  EACH_ROW(MEET)
+}
+
+float reach_of(OwnRay own, uint row) {
+  return has_ray(row) && !is_done(own.ray, own.hit) ? limit_of(own.ray, own.hit) : -1.0;
 }
 
 float reach_of_rays() {
   float reach = -1.0;
-  for (uint row = 0u; row < rows; ++row)
-    reach = has_ray(row) && !is_done(own_ray[row], own_hit[row]) ? max(reach, limit_of(own_ray[row], own_hit[row])) : reach;
+#define REACH(own, row) reach = max(reach, reach_of(own, row));
+  EACH_ROW(REACH)
   return largest_of_lanes(reach);
 }
 
+void give_own(OwnRay own, uint row, bool done) {
+  if (done && has_ray(row)) hits[own.id] = own.hit;
+  ray_tests += own.tests;
+  ACCOUNT(tests_triangle, triangle_account + own.id, own.tests)
+}
+
+/// `base`: where the list has room for all rays of the node.
+void leave_own(OwnRay own, uint row, uint base) {
+  if (has_ray(row)) left[base + row * cluster + lane_in_cluster()] = own.id - first_ray;
+}
+
 void give_rays(bool done) {
-  for (uint row = 0u; row < rows; ++row) {
-    if (done && has_ray(row)) hits[own_id[row]] = own_hit[row];
-    ray_tests += own_tests[row];
-    ACCOUNT(tests_triangle, triangle_account + own_id[row], own_tests[row])
-  }
-  for (bool later = !done; later; later = false) {
-    for (uint row = 0u; row < rows; ++row)
-      if (has_ray(row)) left[own_id[row] - first_ray] = 1u;
-    if (lane_in_cluster() == 0u) atomicAdd(left_count[0], node_rays.y - node_rays.x);
+#define GIVE(own, row) give_own(own, row, done);
+  EACH_ROW(GIVE)
+  if (!done) {
+    uint base = 0u;
+    if (lane_in_cluster() == 0u) base = atomicAdd(left_count[0], node_rays.y - node_rays.x);
+    base = FROM_LANE(base, first_of_cluster());
+#define LEAVE(own, row) leave_own(own, row, base);
+    EACH_ROW(LEAVE)
   }
 }
 

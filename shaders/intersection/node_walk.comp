@@ -41,7 +41,7 @@ layout(push_constant, scalar) uniform Push {
   uint first_group;  // of the frontiers at hand
   uint grouped;      // 0: all nodes begin with the first frontier
   uint clusters;     // each takes every so many-th node
-  uint first_ray;    // of the segment: `left` counts from there
+  uint first_ray;    // of the segment
   uint use_interval;
   uint counter_row;  // first counter of the rays' bounce and kind
   uint box_account;       // of the level's node 0
@@ -56,7 +56,7 @@ layout(binding = 9, scalar) readonly buffer Nodes { vec4 node_words[]; };
 layout(binding = 10, scalar) readonly buffer NodeRays { uvec2 rays_of[]; };
 layout(binding = 11, scalar) readonly buffer Parents { uint parents[]; };
 layout(binding = 12, scalar) readonly buffer Frontiers { uvec2 frontier[]; };
-layout(binding = 13, scalar) writeonly buffer Left { uint left[]; };  // a ray of the segment: 1 where it is left
+layout(binding = 13, scalar) writeonly buffer Left { uint left[]; };  // rays, counted from first_ray
 layout(binding = 14, scalar) buffer LeftCount { uint left_count[]; };
 layout(binding = 15, scalar) buffer Counters { uvec2 counters[]; };
 #define ACCOUNT_BINDING 16
@@ -164,7 +164,9 @@ void descend(inout NodeWalk walk, READY node) {
 void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
   uint own = leaf_triangles(leaf), end = sum_of_lanes(own), count = FROM_LANE(end, first_of_cluster() + cluster - 1u);
   uint begin = leaf_first(leaf) + own - end;  // of triangle 0 of all, if they were this leaf's
-  for (uint first = 0u; first < count; first += cluster) {
+  if (count == 0u) return;
+  uint first = 0u;
+  do {
     uint mine = first + lane_in_cluster();
     uint lane = first_of_cluster() + lane_of_sum(end, mine);
     uint place = FROM_LANE(begin, lane) + mine;
@@ -178,18 +180,22 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
     node_hits += may ? 1u : 0u;
     may = may && (drop_every == 0u || (place + 7u * node_rays.x) % drop_every != 0u);
     spend(walk, 1u);
-    met = may ? met : 3e38;
-    uint hits = bitCount(lanes_of_cluster(may));
-    for (uint left_over = hits; left_over > 0u; --left_over) {
-      float nearest = least_of_lanes(met);
-      uint k = first_of_cluster() + uint(findLSB(lanes_of_cluster(met == nearest)));
-      meet_rays(passed_round(loaded, k), nearest);
+    // Distance, a little rounded down, and lane in one word, so that one search finds both; `none`: may not hit.
+    uint order = may ? (floatBitsToUint(met) & ~(cluster - 1u)) | lane_in_cluster() : none;
+    uint first_in_order = least_of_lanes(order);
+    if (first_in_order != none) {
+      do {
+        uint lane = first_in_order & (cluster - 1u);
+        meet_rays(passed_round(loaded, first_of_cluster() + lane), uintBitsToFloat(first_in_order & ~(cluster - 1u)));
+        spend(walk, turns_of_rays());
+        order = lane_in_cluster() == lane ? none : order;
+        first_in_order = least_of_lanes(order);
+      } while (first_in_order != none);
+      walk.reach = reach_of_rays();
       spend(walk, turns_of_rays());
-      met = gl_SubgroupInvocationID == k ? 3e38 : met;
     }
-    for (bool changed = hits > 0u; changed; changed = false) walk.reach = reach_of_rays();
-    spend(walk, hits > 0u ? turns_of_rays() : 0u);
-  }
+    first += cluster;
+  } while (first < count);
 }
 
 /// Walks one node, and takes as many turns at most; whether that is finished.
@@ -200,16 +206,22 @@ bool walk_node(uint node, inout uint turns) {
   NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x, reach_of_rays(),
                            min(turns, most_turns));
   turns -= walk.turns;
-  while (is_left(walk) && walk.turns > 0u && walk.depth < most_held) {
-    while (is_idle(walk) && walk.entry < walk.entries_end) test_entries(walk, bound);
+  do {
+    if (is_idle(walk) && walk.entry < walk.entries_end) {
+      do test_entries(walk, bound);
+      while (is_idle(walk) && walk.entry < walk.entries_end);
+    }
     bool entered = walk.leaves;
     if (!entered && walk.next == none) take(walk);
-    while (!entered && is_inner(walk.next) && walk.turns > 0u && walk.depth < most_held) descend(walk, bound);
+    if (!entered && is_inner(walk.next)) {
+      do descend(walk, bound);
+      while (is_inner(walk.next) && walk.turns > 0u && walk.depth < most_held);
+    }
     uint leaf = lane_in_cluster() == 0u ? walk.next : none;
     meet_leaves(walk, bound, entered ? walk.visit : leaf, entered ? walk.visit_enter : walk.enter);
     walk.next = is_inner(walk.next) ? walk.next : none;
     walk.leaves = false;
-  }
+  } while (is_left(walk) && walk.turns > 0u && walk.depth < most_held);
   turns += walk.turns;
   return !is_left(walk);
 }
@@ -219,13 +231,15 @@ void main() {
   if (first_place >= clusters) return;
   box_tests = node_tests = node_hits = ray_tests = 0u;
   uint turns = most_turns_in_all;
-  for (uint place = first_place; place < node_count; place += clusters) {
+  uint place = first_place;
+  do {
     uint node = first_node + place;
     uvec2 before = uvec2(box_tests, node_tests);
     give_rays(walk_node(node, turns));
     ACCOUNT(tests_object, box_account + node, box_tests - before.x)
     ACCOUNT(tests_node, node_account + node, node_tests - before.y)
-  }
+    place += clusters;
+  } while (place < node_count);
   ADD_COUNTER(counter_row + counter_box_tests, box_tests)
   ADD_COUNTER(counter_row + counter_level_tests, node_tests)
   ADD_COUNTER(counter_row + counter_level_hits, node_hits)

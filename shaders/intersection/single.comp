@@ -1,5 +1,5 @@
 #version 460
-// Rays one by one through the object hierarchy. Those that need very many tests are left as they were, and counted: they
+// Rays one by one through the object hierarchy. Those that need very many tests are left as they were, and listed: they
 // are walked in portions (single_on.comp). Lane: a ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,7 +20,7 @@ layout(push_constant, scalar) uniform Push {
   uint triangle_account;
   uint listed;       // 1: rays are those of the list
 };
-layout(binding = 9, scalar) writeonly buffer Left { uint left[]; };    // a ray of the segment: 1 where it is left
+layout(binding = 9, scalar) writeonly buffer Left { uint left[]; };    // rays, as in the list
 layout(binding = 10, scalar) buffer LeftCount { uint left_count[]; };
 layout(binding = 11, scalar) readonly buffer List { uint list[]; };    // rays, counted from first_ray
 #define ACCOUNT_BINDING 12
@@ -36,8 +36,7 @@ void main() {
   Walk walk = Walk(0u, 0u, hits[id], 0u, 0u);
   walk_on(walk, ray, uint(ray.direction.w) == kind_shadow);
   bool done = walk.next == none;
-  left[place] = done ? 0u : 1u;
-  for (bool counted = !done; counted; counted = false) atomicAdd(left_count[0], 1u);
+  if (!done) left[atomicAdd(left_count[0], 1u)] = place;
   if (done) hits[id] = walk.hit;
   uint box_tests = done ? walk.box_tests : 0u, triangle_tests = done ? walk.triangle_tests : 0u;
   ADD_COUNTER(box_counter, box_tests)

@@ -37,7 +37,7 @@ void main() {
   hits[id] = walk.hit;
   states[i] = uvec2(walk.next, walk.depth);
   for (uint k = 0u; k < walk.depth; ++k) stacks[base + k] = stack[k];
-  for (bool counted = walk.next != none; counted; counted = false) atomicAdd(left_count[0], 1u);
+  if (walk.next != none) atomicAdd(left_count[0], 1u);
   ADD_COUNTER(box_counter, walk.box_tests)
   ADD_COUNTER(triangle_counter, walk.triangle_tests)
   ACCOUNT(tests_object, box_account + id, walk.box_tests)

@@ -35,9 +35,11 @@ float limit_of(Ray ray, uvec4 hit, bool shadow) {
 
 /// Goes on with what was left for later, unless a hit is nearer by now.
 void pop(inout Walk walk, float limit) {
-  while (walk.next == none && walk.depth > 0u) {
-    uvec2 top = stack[--walk.depth];
-    walk.next = uintBitsToFloat(top.y) <= limit * box_slack ? top.x : none;
+  if (walk.next == none && walk.depth > 0u) {
+    do {
+      uvec2 top = stack[--walk.depth];
+      walk.next = uintBitsToFloat(top.y) <= limit * box_slack ? top.x : none;
+    } while (walk.next == none && walk.depth > 0u);
   }
 }
 
@@ -58,7 +60,11 @@ void descend(inout Walk walk, BoxRay ray, float limit) {
 
 void meet_leaf(inout Walk walk, Ray ray, Shear shear) {
   uint count = leaf_triangles(walk.next), begin = leaf_first(walk.next);
-  for (uint k = 0u; k < count; ++k) walk.hit = meet(walk.hit, ray, shear, load_leaf_triangle(begin + k));
+  if (count > 0u) {
+    uint k = 0u;
+    do walk.hit = meet(walk.hit, ray, shear, load_leaf_triangle(begin + k));
+    while (++k < count);
+  }
   walk.triangle_tests += count;
   walk.next = is_inner(walk.next) ? walk.next : none;
 }
@@ -68,10 +74,13 @@ void walk_on(inout Walk walk, Ray ray, bool shadow) {
   BoxRay box_ray = box_ray(ray.origin.xyz, ray.direction.xyz);
   Shear shear = shear_of(ray.direction.xyz);
   float limit = limit_of(ray, walk.hit, shadow);
-  while (walk.next != none && walk.box_tests + walk.triangle_tests < most_tests) {
-    while (is_inner(walk.next) && walk.box_tests < most_tests) {
-      descend(walk, box_ray, limit);
-      pop(walk, limit);
+  if (walk.next == none) return;
+  do {
+    if (is_inner(walk.next)) {
+      do {
+        descend(walk, box_ray, limit);
+        pop(walk, limit);
+      } while (is_inner(walk.next) && walk.box_tests < most_tests);
     }
     meet_leaf(walk, ray, shear);
     limit = limit_of(ray, walk.hit, shadow);
@@ -79,5 +88,5 @@ void walk_on(inout Walk walk, Ray ray, bool shadow) {
     walk.depth = ended ? 0u : walk.depth;
     walk.next = ended ? none : walk.next;
     pop(walk, limit);
-  }
+  } while (walk.next != none && walk.box_tests + walk.triangle_tests < most_tests);
 }

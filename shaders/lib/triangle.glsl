@@ -146,9 +146,7 @@ bool hit_triangle(vec3 origin, vec3 direction, Shear shear, float tmax, vec3 a, 
   bool faces = !(cull_back && towards > 0.0);
 
   bool hit = false;
-  // Few triangles come so far: a loop, because lavapipe 22.3 never skips an `if`.
-  for (bool candidate = inside && in_range && faces; candidate; candidate = false)
-    hit = inside_bounds(origin, direction, at, a, b, c);
+  if (inside && in_range && faces) hit = inside_bounds(origin, direction, at, a, b, c);
   return hit;
 }
 

@@ -59,7 +59,7 @@ void main() {
   uint first = i * frontier_room + 1u, count = 0u, depth = 0u, visits = 0u;
   uint next = 0u;                // inner node
   uvec2 as_entry = uvec2(none);  // the same as it came from the stack
-  while (next != none && visits < most_visits && count + depth + 2u <= most_entries) {
+  do {
     uvec2 a = tested(group, reach, 2u * next), b = tested(group, reach, 2u * next + 1u);
     bool swapped = uintBitsToFloat(b.y) < uintBitsToFloat(a.y);
     uvec2 nearer = swapped ? b : a, farther = swapped ? a : b;
@@ -69,16 +69,18 @@ void main() {
     stack[depth] = nearer;
     depth += nearer.x != none ? 1u : 0u;
     next = none;
-    while (next == none && depth > 0u) {
-      as_entry = stack[--depth];
-      if ((as_entry.x & is_small) != 0u) {
-        frontier[first + count] = uvec2(as_entry.x & ~is_small, as_entry.y);
-        ++count;
-      } else {
-        next = floatBitsToUint(box_low[as_entry.x].w);
-      }
+    if (depth > 0u) {
+      do {
+        as_entry = stack[--depth];
+        if ((as_entry.x & is_small) != 0u) {
+          frontier[first + count] = uvec2(as_entry.x & ~is_small, as_entry.y);
+          ++count;
+        } else {
+          next = floatBitsToUint(box_low[as_entry.x].w);
+        }
+      } while (next == none && depth > 0u);
     }
-  }
+  } while (next != none && visits < most_visits && count + depth + 2u <= most_entries);
   if (next != none) stack[depth++] = as_entry;
   while (depth > 0u) {
     uvec2 entry = stack[--depth];

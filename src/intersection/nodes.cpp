@@ -25,7 +25,6 @@ class Nodes {
   void run(Range nodes, Range groups) {
     reserve(recorder_, segment_, single_);
     recorder_.fill(single_.count, 0, 1);
-    recorder_.fill(single_.left, 0, segment_.count);
     if (groups.count == 0) {
       traversal::start_at_root(recorder_, scratch_.frontiers);
       walk(nodes, groups);

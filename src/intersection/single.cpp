@@ -24,13 +24,13 @@ class SingleRays {
   /// All rays of the segment.
   void run() {
     reserve(recorder_, segment_, scratch_);
-    primitives::grow(recorder_, scratch_.list, sizeof(uint32_t), "list of rays");
-    walk_all(segment_.count, false);
+    walk_all(segment_.count, nullptr, scratch_.left);
   }
 
-  /// Those that are flagged in scratch.left.
-  void run_left() {
-    walk_all(primitives::compact(recorder_, scratch_.compact, scratch_.left, segment_.count, scratch_.list), true);
+  /// The first so many of scratch.left.
+  void run_left(uint32_t count) {
+    primitives::grow(recorder_, scratch_.still_left, primitives::quad_bytes(count), "rays still left");
+    walk_all(count, &scratch_.left, scratch_.still_left);
   }
 
  private:
@@ -49,44 +49,43 @@ class SingleRays {
             in_.account.first(shared::tests_triangle, 0)};
   }
 
-  void walk_all(uint32_t count, bool listed) {
+  /// So many rays, of the list if there is one; what they leave goes to `left`.
+  void walk_all(uint32_t count, const gpu::Buffer* list, const gpu::Buffer& left) {
     const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, count));
     recorder_.fill(scratch_.count, 0, 1);
-    for (uint32_t first = 0; first < count; first += tile) walk(first, std::min(tile, count - first), listed);
-    if (recorder_.read<uint32_t>(scratch_.count, 1)[0]) walk_left();
+    for (uint32_t first = 0; first < count; first += tile) walk(first, std::min(tile, count - first), list, left);
+    if (const uint32_t still = recorder_.read<uint32_t>(scratch_.count, 1)[0]) walk_left(left, still);
   }
 
-  void walk(uint32_t first, uint32_t count, bool listed) {
+  void walk(uint32_t first, uint32_t count, const gpu::Buffer* list, const gpu::Buffer& left) {
     const struct {
       Push push;
       uint32_t listed;
-    } push{push_of(first, first + count), listed};
+    } push{push_of(first, first + count), list != nullptr};
     recorder_.dispatch(in_.account.kernel("intersection/single"), count, push,
                        {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
-                        in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, scratch_.left,
-                        scratch_.count, scratch_.list, in_.account.buffer_or(in_.counters)},
+                        in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, left,
+                        scratch_.count, list ? *list : in_.counters, in_.account.buffer_or(in_.counters)},
                        count * usual_tests);
     recorder_.submit_past(in_.submit_work);
   }
 
-  void walk_left() {
-    const uint32_t left =
-        primitives::compact(recorder_, scratch_.compact, scratch_.left, segment_.count, scratch_.list);
+  void walk_left(const gpu::Buffer& list, uint32_t count) {
     const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / most_tests, 1, most_portioned));
     primitives::grow(recorder_, scratch_.states, tile * sizeof(glm::uvec2), "states of rays");
     primitives::grow(recorder_, scratch_.stacks, tile * shared::max_object_depth * sizeof(glm::uvec2),
                      "stacks of rays");
-    for (uint32_t first = 0; first < left; first += tile) walk_in_portions(first, std::min(tile, left - first));
+    for (uint32_t first = 0; first < count; first += tile) walk_in_portions(list, first, std::min(tile, count - first));
   }
 
   /// From the root again, until all have ended.
-  void walk_in_portions(uint32_t first, uint32_t count) {
+  void walk_in_portions(const gpu::Buffer& list, uint32_t first, uint32_t count) {
     recorder_.fill(scratch_.states, 0, 2 * uint64_t(count));
     do {
       recorder_.fill(scratch_.count, 0, 1);
       recorder_.dispatch(in_.account.kernel("intersection/single_on"), count, push_of(first, count),
                          {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
-                          in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, scratch_.list,
+                          in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, list,
                           scratch_.count, scratch_.states, scratch_.stacks, in_.account.buffer_or(in_.counters)},
                          count * most_tests);
     } while (recorder_.read<uint32_t>(scratch_.count, 1)[0]);
@@ -115,9 +114,10 @@ void reserve(gpu::Recorder& recorder, const rays::Segment& segment, SingleScratc
 
 void intersect_left(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
                     const rays::Segment& segment, SingleScratch& scratch) {
-  if (recorder.read<uint32_t>(scratch.count, 1)[0] == 0) return;
+  const uint32_t left = recorder.read<uint32_t>(scratch.count, 1)[0];
+  if (left == 0) return;
   recorder.stage(gpu::Stage::final_intersection);
-  SingleRays(recorder, in, objects, segment, scratch).run_left();
+  SingleRays(recorder, in, objects, segment, scratch).run_left(left);
 }
 
 }  // namespace crsh::intersection

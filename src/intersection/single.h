@@ -3,17 +3,15 @@
 
 #include "intersection/intersection.h"
 #include "objects/hierarchy.h"
-#include "primitives/compact.h"
 
 namespace crsh::intersection {
 
 /// Lists of rays that need very many tests; kept between calls.
 struct SingleScratch {
-  gpu::Buffer left;   ///< uint a ray of the segment: 1 where it is one of these
+  gpu::Buffer left;   ///< uint: these rays, counted from the segment's first one, in any order
   gpu::Buffer count;  ///< one uint: how many have not ended
-  gpu::Buffer list;   ///< uint: the rays
+  gpu::Buffer still_left;  ///< uint: those of `left` that need yet more
   gpu::Buffer states, stacks;
-  primitives::CompactScratch compact;
 };
 
 /// The rays of one segment, in creation order, against the scene that `objects` was built over. Submits, and waits.
@@ -22,7 +20,7 @@ void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hier
 
 /// Makes room in `left` and `count` for a segment, for those who leave some of its rays to intersect_left().
 void reserve(gpu::Recorder& recorder, const rays::Segment& segment, SingleScratch& scratch);
-/// The rays of the segment that are flagged in `left`; `count` is their number. Submits, and waits.
+/// The rays of the segment that are listed in `left`; `count` is their number. Submits, and waits.
 void intersect_left(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
                     const rays::Segment& segment, SingleScratch& scratch);
 

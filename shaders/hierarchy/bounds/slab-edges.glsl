@@ -53,8 +53,7 @@ bool may_pass_between(Middle middle, vec3 a, vec3 b, vec3 c) {
 #define BOUND_TESTS_CORNERS
 bool bound_may_hit_corners(Slab node, Interval interval, vec3 a, vec3 b, vec3 c, bool use_interval) {
   bool may_hit = slab_may_hit_corners_box(node, interval, a, b, c, use_interval);
-  // Few triangles come so far: a loop, because lavapipe 22.3 never skips an `if`.
-  for (bool candidate = may_hit; candidate; candidate = false) may_hit = may_pass_between(middle_of(node), a, b, c);
+  if (may_hit) may_hit = may_pass_between(middle_of(node), a, b, c);
   return may_hit;
 }
 
@@ -69,6 +68,6 @@ bool ready_may_hit_box(READY node, float reach, vec3 low, vec3 high, out float e
 }
 bool ready_may_hit_corners(READY node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
   bool may_hit = slab_ready_may_hit_corners_box(node.slab, reach, a, b, c, enter);
-  for (bool candidate = may_hit; candidate; candidate = false) may_hit = may_pass_between(node.middle, a, b, c);
+  if (may_hit) may_hit = may_pass_between(node.middle, a, b, c);
   return may_hit;
 }
