@@ -34,6 +34,7 @@ const uint cluster = 1u;
 layout(constant_id = 2) const uint cluster = 8u;
 layout(constant_id = 3) const uint rows = 1u;
 #endif
+#include "lib/cluster.glsl"
 
 layout(push_constant, scalar) uniform Push {
   uint first_node;
@@ -64,7 +65,7 @@ layout(binding = 15, scalar) buffer Counters { uvec2 counters[]; };
 
 uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays
 
-#include "intersection/cluster.glsl"
+#include "intersection/held.glsl"
 #include "intersection/node_rays.glsl"
 #include "intersection/node_bound.glsl"
 
@@ -227,7 +228,7 @@ bool walk_node(uint node, inout uint turns) {
 }
 
 void main() {
-  uint first_place = node_place();
+  uint first_place = cluster_place();
   if (first_place >= clusters) return;
   box_tests = node_tests = node_hits = ray_tests = 0u;
   uint turns = most_turns_in_all;

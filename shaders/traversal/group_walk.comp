@@ -1,15 +1,25 @@
 #version 460
 // variants: hierarchy/bounds
 // Groups, the nodes of level 2, through the top of the object hierarchy: depth first, the nearer child first, down to
-// small subtrees, which are the group's frontier (shared/walk.h). Where the frontier has no more room or a walk gets too
-// long, what was left for later becomes frontier as it is. Lane: a group.
+// small subtrees, which are the group's frontier (shared/walk.h). Where a frontier has no more room or a walk gets too
+// long, what was left for later becomes frontier as it is.
+//
+// Lane: a group. A cluster of lanes, whose groups are neighbours, goes wherever one of them must; what the others do not
+// need they do not test. So a box is loaded once for all of them, by one lane or another. In the "-alone" build every
+// lane goes its own way.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "lib/together.glsl"
 layout(local_size_x = 64) in;
+#ifdef CRSH_ALONE
+const uint cluster = 1u;
+#else
+const uint cluster = 4u;
+#endif
+#include "lib/cluster.glsl"
 #include "lib/counters.glsl"
-#include "lib/invocation.glsl"
 #include "lib/visit.glsl"
 #include "shared/node.h"
 #include "shared/walk.h"
@@ -32,62 +42,117 @@ layout(binding = 5, scalar) buffer Counters { uvec2 counters[]; };
 #define ACCOUNT_BINDING 6
 #include "lib/account.glsl"
 
-/// Most inner nodes that a group visits: lavapipe 22.3 ends loops silently.
+/// Most inner nodes that a cluster visits: lavapipe 22.3 ends loops silently.
 const uint most_visits = 1024u;
 const uint most_entries = frontier_room - 1u;
-/// In the stack: a slot with a small subtree.
-const uint is_small = 1u << 31;
 
-/// Slots to be visited later, and from which distance on.
+/// A child slot that some lanes of the cluster are to visit.
+struct Entry {
+  uint slot;    // `none`: no lane is
+  bool small;   // a small subtree
+  bool mine;    // this lane's group may have rays in its box
+  float enter;  // none of them before
+};
+
+/// In the stack, beside the slot.
+const uint is_small = 1u << 31, is_mine = 1u << 30;
 uvec2 stack[most_entries];
 
-/// A child slot as the stack has it; x is `none` where no ray of the group may hit its box.
-uvec2 tested(READY group, float reach, uint slot) {
-  vec4 low = box_low[slot], high = box_high[slot];
+uvec2 packed(Entry entry) {
+  return uvec2(entry.slot | (entry.small ? is_small : 0u) | (entry.mine ? is_mine : 0u), floatBitsToUint(entry.enter));
+}
+
+Entry unpacked(uvec2 word) {
+  return Entry(word.x & ~(is_small | is_mine), (word.x & is_small) != 0u, (word.x & is_mine) != 0u, uintBitsToFloat(word.y));
+}
+
+/// The boxes of both children, of the slots 2 * node and after.
+#ifdef CRSH_ALONE
+#define BOXES(node, low0, high0, low1, high1) \
+  vec4 low0 = box_low[2u * node], high0 = box_high[2u * node], low1 = box_low[2u * node + 1u], high1 = box_high[2u * node + 1u];
+#else
+#define BOXES(node, low0, high0, low1, high1)                                                          \
+  uint own_slot_ = 2u * node + (lane_in_cluster() >> 1u);                                             \
+  vec4 own_ = vec4(0.0);                                                                               \
+  if ((lane_in_cluster() & 1u) == 0u) own_ = box_low[own_slot_];                                       \
+  else own_ = box_high[own_slot_];                                                                     \
+  vec4 low0 = FROM_LANE(own_, first_of_cluster()), high0 = FROM_LANE(own_, first_of_cluster() + 1u),   \
+       low1 = FROM_LANE(own_, first_of_cluster() + 2u), high1 = FROM_LANE(own_, first_of_cluster() + 3u);
+#endif
+
+/// `wanted`: this lane is in the parent's box.
+Entry tested(READY group, float reach, bool wanted, uint slot, vec4 low, vec4 high) {
   float enter;
-  bool hit = ready_may_hit_box(group, reach, low.xyz, high.xyz, enter);
+  bool hit = wanted && ready_may_hit_box(group, reach, low.xyz, high.xyz, enter);
   uint visit = visit_of(low.w, high.w);
   bool small = floatBitsToUint(high.w) <= frontier_triangles || !is_inner(visit);
-  return uvec2(hit && visit != none ? slot | (small ? is_small : 0u) : none, floatBitsToUint(enter));
+  return Entry(slot, small, hit && visit != none, enter);
+}
+
+
+uint first, count;  // of this lane's list
+
+void put(Entry entry) {
+  if (entry.mine) {
+    frontier[first + count] = uvec2(entry.slot, floatBitsToUint(entry.enter));
+    ++count;
+  }
 }
 
 void main() {
-  uint i = invocation_index();
-  if (i >= group_count) return;
-  READY group = ready(nodes[first_group + i], use_interval == 1u);
-  float reach = use_interval == 1u ? intervals[first_group + i].far_end : 3e38;
-  uint first = i * frontier_room + 1u, count = 0u, depth = 0u, visits = 0u;
-  uint next = 0u;                // inner node
-  uvec2 as_entry = uvec2(none);  // the same as it came from the stack
+  uint i = lane_place();
+  bool present = i < group_count;
+  uint group_index = first_group + min(i, group_count - 1u);
+  READY group = ready(nodes[group_index], use_interval == 1u);
+  float reach = use_interval == 1u ? intervals[group_index].far_end : 3e38;
+  first = i * frontier_room + 1u;
+  count = 0u;
+  uint depth = 0u, visits = 0u, tests = 0u;
+  uint next = 0u;  // inner node
+  Entry entry = Entry(none, false, present, 0.0);  // the same as a slot
+  bool room = true;
   do {
-    uvec2 a = tested(group, reach, 2u * next), b = tested(group, reach, 2u * next + 1u);
-    bool swapped = uintBitsToFloat(b.y) < uintBitsToFloat(a.y);
-    uvec2 nearer = swapped ? b : a, farther = swapped ? a : b;
+    BOXES(next, low0, high0, low1, high1)
+    Entry a = tested(group, reach, entry.mine, 2u * next, low0, high0);
+    Entry b = tested(group, reach, entry.mine, 2u * next + 1u, low1, high1);
+    uint enter_a = least_of_lanes(a.mine ? floatBitsToUint(a.enter) : none);
+    uint enter_b = least_of_lanes(b.mine ? floatBitsToUint(b.enter) : none);
+    tests += entry.mine ? 2u : 0u;
     ++visits;
-    stack[depth] = farther;
-    depth += farther.x != none ? 1u : 0u;
-    stack[depth] = nearer;
-    depth += nearer.x != none ? 1u : 0u;
+    bool swapped = enter_b < enter_a;
+    Entry nearer = swapped ? b : a, farther = swapped ? a : b;
+    stack[depth] = packed(farther);
+    depth += max(enter_a, enter_b) != none ? 1u : 0u;
     next = none;
-    if (depth > 0u) {
-      do {
-        as_entry = stack[--depth];
-        if ((as_entry.x & is_small) != 0u) {
-          frontier[first + count] = uvec2(as_entry.x & ~is_small, as_entry.y);
-          ++count;
-        } else {
-          next = floatBitsToUint(box_low[as_entry.x].w);
-        }
-      } while (next == none && depth > 0u);
+    bool in_hand = min(enter_a, enter_b) != none;
+    entry = nearer;
+    uint inner = floatBitsToUint(swapped ? low1.w : low0.w);
+    if (!in_hand && depth > 0u) {
+      entry = unpacked(stack[--depth]);
+      in_hand = true;
+      inner = none;
     }
-  } while (next != none && visits < most_visits && count + depth + 2u <= most_entries);
-  if (next != none) stack[depth++] = as_entry;
-  while (depth > 0u) {
-    uvec2 entry = stack[--depth];
-    frontier[first + count] = uvec2(entry.x & ~is_small, entry.y);
-    ++count;
+    if (in_hand) {
+      do {
+        in_hand = entry.small && depth > 0u;
+        if (entry.small) {
+          put(entry);
+          if (in_hand) entry = unpacked(stack[--depth]);
+          inner = none;
+        } else {
+          if (inner == none) inner = floatBitsToUint(box_low[entry.slot].w);
+          next = inner;
+        }
+      } while (in_hand);
+    }
+    room = lanes_of_cluster(count + depth + 2u > most_entries) == 0u;
+  } while (next != none && visits < most_visits && room);
+  if (next != none) put(entry);
+  if (depth > 0u) {
+    do put(unpacked(stack[--depth]));
+    while (depth > 0u);
   }
-  frontier[first - 1u] = uvec2(count, 0u);
-  ADD_COUNTER(box_counter, 2u * visits)
-  ACCOUNT(tests_object, first_account + first_group + i, 2u * visits)
+  if (present) frontier[first - 1u] = uvec2(count, 0u);
+  ADD_COUNTER(box_counter, tests)
+  if (present) { ACCOUNT(tests_object, first_account + group_index, tests) }
 }

@@ -1,12 +1,18 @@
-// The cluster of lanes that walk a node together, and its stack. The stack's first entries lie in registers, spread over
-// the lanes: lavapipe pays for memory by the lane, and hardly for arithmetic.
+#ifndef CRSH_LIB_CLUSTER_GLSL
+#define CRSH_LIB_CLUSTER_GLSL
+// A cluster of lanes that walk together: so many as the includer's `cluster` says, a power of two; one in "-alone" builds.
+// What all of them know they find out by shuffles alone: on lavapipe a ballot takes as long as ten.
+
+#include "lib/invocation.glsl"
+#include "lib/together.glsl"
 
 #ifdef CRSH_ALONE
 uint lane_in_cluster() { return 0u; }
 uint first_of_cluster() { return 0u; }
 /// A bit for each lane of the cluster where `value` holds.
 uint lanes_of_cluster(bool value) { return value ? 1u : 0u; }
-uint node_place() { return invocation_index(); }
+/// Lanes of a cluster have neighbouring places.
+uint lane_place() { return invocation_index(); }
 /// Inclusive, up to this lane of the cluster.
 uint sum_of_lanes(uint value) { return value; }
 /// The first lane whose inclusive sum is above `place`.
@@ -43,41 +49,11 @@ float largest_of_lanes(float value) {
   return value;
 }
 /// Subgroups are full: the host asks for this build only where they divide a workgroup.
-uint node_place() {
-  return (workgroup_index() * gl_WorkGroupSize.x + gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID) / cluster;
+uint lane_place() {
+  return workgroup_index() * gl_WorkGroupSize.x + gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
 }
 #endif
 
-// The stack: entry `place` lies in the registers of lane place % cluster.
-const uint held_rows = 4u;
-#ifdef CRSH_ALONE
-const uint most_held = max_object_depth + 2u;
-uvec2 held[most_held];
+uint cluster_place() { return lane_place() / cluster; }
 
-void hold(uint place, uint visit, float enter) { held[place] = uvec2(visit, floatBitsToUint(enter)); }
-uint held_visit(uint place) { return held[place].x; }
-float held_enter(uint place) { return uintBitsToFloat(held[place].y); }
-#else
-const uint most_held = held_rows * cluster;
-uvec4 held_visits;
-vec4 held_enters;
-
-void hold(uint place, uint visit, float enter) {
-  bool here = place % cluster == lane_in_cluster();
-  bvec4 row = equal(uvec4(0u, 1u, 2u, 3u), uvec4(here ? place / cluster : held_rows));
-  held_visits = mix(held_visits, uvec4(visit), row);
-  held_enters = mix(held_enters, vec4(enter), row);
-}
-
-uint held_visit(uint place) {
-  uint row = place / cluster;
-  uint visit = row == 0u ? held_visits.x : row == 1u ? held_visits.y : row == 2u ? held_visits.z : held_visits.w;
-  return FROM_LANE(visit, first_of_cluster() + place % cluster);
-}
-
-float held_enter(uint place) {
-  uint row = place / cluster;
-  float enter = row == 0u ? held_enters.x : row == 1u ? held_enters.y : row == 2u ? held_enters.z : held_enters.w;
-  return FROM_LANE(enter, first_of_cluster() + place % cluster);
-}
 #endif
