@@ -37,13 +37,19 @@ void main() {
   uint end = min(begin + cut_run, children);
   Ray first = Ray(vec4(0.0), vec4(0.0));
   uint head = begin;
-  for (uint i = begin; i < end; ++i) {
+  uint i = begin;
+  do {
     uint child = first_child + i;
-    Ray ray = rays[rays_below == 1u ? child : rays_of_child[child].x];
+    uint position = child;
+    if (rays_below == 0u) position = rays_of_child[child].x;
+    Ray ray = rays[position];
     bool joins = i > begin && i - head < arity && goes_along(first, ray);
     heads[child] = joins ? 0u : 1u;
-    if (!joins) first = ray;
-    head = joins ? head : i;
-    ends[first_child + head] = child + 1u;
-  }
+    if (!joins) {
+      if (i > begin) ends[first_child + head] = child;
+      first = ray;
+      head = i;
+    }
+  } while (++i < end);
+  ends[first_child + head] = first_child + end;
 }

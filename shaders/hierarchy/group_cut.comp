@@ -23,5 +23,7 @@ void main() {
   uint base = bases[node], end = ends[base];
   children_of[node] = uvec2(base, end);
   rays_of[node] = rays_below == 1u ? uvec2(base, end) : uvec2(rays_of_child[base].x, rays_of_child[end - 1u].y);
-  for (uint child = base; child < end; ++child) parent[child] = node;
+  uint child = base;
+  do parent[child] = node;
+  while (++child < end);
 }

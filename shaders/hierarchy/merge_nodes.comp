@@ -13,9 +13,12 @@ void main() {
   if (i >= node_count) return;
   BOUND node = child_nodes[ranges[i].x];
   float far_end = child_intervals[ranges[i].x].far_end;
-  for (uint child = ranges[i].x + 1u; child < ranges[i].y; ++child) {
-    node = bound_merge(node, child_nodes[child]);
-    far_end = max(far_end, child_intervals[child].far_end);
+  uint child = ranges[i].x + 1u, end = ranges[i].y;
+  if (child < end) {
+    do {
+      node = bound_merge(node, child_nodes[child]);
+      far_end = max(far_end, child_intervals[child].far_end);
+    } while (++child < end);
   }
   store(i, node, far_end);
 }

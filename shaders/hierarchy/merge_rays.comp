@@ -11,10 +11,13 @@ void main() {
   Ray ray = sorted_ray(ranges[i].x);
   BOUND node = bound_of_ray(ray);
   float far_end = ray.origin.w;
-  for (uint child = ranges[i].x + 1u; child < ranges[i].y; ++child) {
-    ray = sorted_ray(child);
-    node = bound_merge_ray(node, ray);
-    far_end = max(far_end, ray.origin.w);
+  uint child = ranges[i].x + 1u, end = ranges[i].y;
+  if (child < end) {
+    do {
+      ray = sorted_ray(child);
+      node = bound_merge_ray(node, ray);
+      far_end = max(far_end, ray.origin.w);
+    } while (++child < end);
   }
   store(i, node, far_end);
 }

@@ -1,6 +1,7 @@
 #version 460
 // A 64-bit digest of what each ray of a segment met, keyed by pixel, path and light, and summed: equal exactly when
-// every ray's hit is, whatever the order of rays. Counts the rays that hit on the way.
+// every ray's hit is, whatever the order of rays. Counts the rays that hit on the way. A lane takes some rays, so that
+// subgroups add up less often.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -14,6 +15,7 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint first_ray;  // of the segment
   uint ray_count;
+  uint lanes;      // each takes every so many-th ray
   uint surfaces;   // slots a segment
   uint first_surface;  // of the batch
   uint kind;
@@ -36,24 +38,30 @@ uint mixed(uint x) {
 
 uint absorbed(uint state, uint word) { return mixed(state ^ (word + 0x9E3779B9u + (state << 6) + (state >> 2))); }
 
+uvec2 digest_of(uint surface, uvec4 hit) {
+  uint words[7] = uint[7](floatBitsToUint(diffuse_pixel[surface].w), floatBitsToUint(specular_path[surface].w), kind,
+                          light, hit.x, hit.y, hit.z);
+  uvec2 digest = uvec2(1u, 2u);
+  for (uint k = 0u; k < 7u; ++k) digest = uvec2(absorbed(digest.x, words[k]), absorbed(digest.y, ~words[k]));
+  return digest;
+}
+
 void main() {
   uint i = invocation_index();
-  uvec2 digest = uvec2(0u);
   uint met = 0u;
+  uvec4 parts = uvec4(0u);  // of 64-bit sums, modulo 2^64: 16 bits at a time so that a subgroup's sum fits a word
   if (i < ray_count) {
-    uint ray = first_ray + i;
-    uint surface = first_surface + slots[ray] % surfaces;
-    uvec4 hit = hits[ray];
-    uint words[7] = uint[7](floatBitsToUint(diffuse_pixel[surface].w), floatBitsToUint(specular_path[surface].w), kind,
-                            light, hit.x, hit.y, hit.z);
-    digest = uvec2(1u, 2u);
-    for (uint k = 0u; k < 7u; ++k) digest = uvec2(absorbed(digest.x, words[k]), absorbed(digest.y, ~words[k]));
-    bool shadow = kind == kind_shadow;
-    met = (shadow ? all(equal(hit.xyz, uvec3(0xFFFFFFFFu))) : hit.y != none) ? 1u : 0u;
+    do {
+      uint ray = first_ray + i;
+      uvec4 hit = hits[ray];
+      uvec2 digest = digest_of(first_surface + slots[ray] % surfaces, hit);
+      parts += uvec4(digest.x & 0xFFFFu, digest.x >> 16, digest.y & 0xFFFFu, digest.y >> 16);
+      bool shadow = kind == kind_shadow;
+      met += (shadow ? all(equal(hit.xyz, uvec3(0xFFFFFFFFu))) : hit.y != none) ? 1u : 0u;
+      i += lanes;
+    } while (i < ray_count);
   }
   ADD_COUNTER(hits_counter, met)
-  // 64-bit sums, modulo 2^64: 16 bits at a time so that a subgroup's sum fits a word.
-  uvec4 parts = uvec4(digest.x & 0xFFFFu, digest.x >> 16, digest.y & 0xFFFFu, digest.y >> 16);
   parts = subgroupAdd(parts);
   if (subgroupElect()) {
     uint low = parts.x + (parts.y << 16);

@@ -2,10 +2,9 @@
 // lib/triangle.glsl, then the closest hit with ties to the lower id, or a shadow ray's transmittance.
 // Bindings 0 to 4 are taken.
 
+#include "intersection/no_hit.glsl"
 #include "lib/together.glsl"
 #include "lib/triangle.glsl"
-#include "shared/limits.h"
-#include "shared/ray.h"
 #include "shared/scene.h"
 
 layout(binding = 0, scalar) readonly buffer CornersA { vec4 corner_a[]; };

@@ -16,15 +16,11 @@ bool is_wanted(Ray ray, uvec4 hit, float enter) {
   return !is_done(ray, hit) && enter <= limit_of(ray, hit) * (1.0 + 8.0 * bound_pad);
 }
 
-/// As intersection/clear.comp has left it.
-uvec4 cleared_hit(Ray ray) {
-  return uint(ray.direction.w) == kind_shadow ? uvec4(0u) : uvec4(0x7F800000u, none, 0u, 0u);
-}
-
 #ifdef CRSH_ALONE
 
 void take_rays(uint node) {
   node_rays = rays_of[node];
+  for (uint i = node_rays.x; i < node_rays.y; ++i) hits[order[i]] = no_hit(rays[i]);
 }
 
 /// Turns of a loop over the rays.
@@ -59,7 +55,6 @@ float reach_of_rays() {
 void give_rays(bool done) {
   for (uint i = done ? node_rays.y : node_rays.x; i < node_rays.y; ++i) {
     uint id = order[i];
-    hits[id] = cleared_hit(rays[i]);
     left[atomicAdd(left_count[0], 1u)] = id - first_ray;
   }
 }
@@ -96,7 +91,7 @@ OwnRay taken_ray(uint row) {
     own.ray = rays[position];
   }
   own.shear = shear_of(own.ray.direction.xyz);
-  own.hit = cleared_hit(own.ray);
+  own.hit = no_hit(own.ray);
   return own;
 }
 

@@ -5,9 +5,8 @@
 #extension GL_EXT_ray_query : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
+#include "intersection/no_hit.glsl"
 #include "lib/invocation.glsl"
-#include "shared/limits.h"
-#include "shared/ray.h"
 #include "shared/scene.h"
 
 layout(constant_id = 0) const bool plain = false;  // every triangle blocks, from either side: none is asked about
@@ -15,7 +14,7 @@ layout(constant_id = 0) const bool plain = false;  // every triangle blocks, fro
 layout(push_constant, scalar) uniform Push { uint first, end; };
 layout(binding = 0) uniform accelerationStructureEXT scene;
 layout(binding = 1, scalar) readonly buffer Rays { Ray rays[]; };
-layout(binding = 2, scalar) buffer Hits { uvec4 hits[]; };
+layout(binding = 2, scalar) writeonly buffer Hits { uvec4 hits[]; };
 layout(binding = 3, scalar) readonly buffer CornersA { vec4 corner_a[]; };  // for the flags
 layout(binding = 4, scalar) readonly buffer Materials { Material materials[]; };
 
@@ -31,7 +30,7 @@ void main() {
   uint i = first + invocation_index();
   if (i >= end) return;
   Ray ray = rays[i];
-  uvec4 hit = hits[i];
+  uvec4 hit = no_hit(ray);
   bool shadow = uint(ray.direction.w) == kind_shadow;
   uint flags = (plain ? gl_RayFlagsOpaqueEXT : 0u) | (shadow ? gl_RayFlagsTerminateOnFirstHitEXT : 0u);
   rayQueryEXT query;

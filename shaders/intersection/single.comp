@@ -33,11 +33,11 @@ void main() {
   if (listed == 1u) place = list[i];
   uint id = first_ray + place;
   Ray ray = rays[id];
-  Walk walk = Walk(0u, 0u, hits[id], 0u, 0u);
+  Walk walk = Walk(0u, 0u, no_hit(ray), 0u, 0u);
   walk_on(walk, ray, uint(ray.direction.w) == kind_shadow);
   bool done = walk.next == none;
   if (!done) left[atomicAdd(left_count[0], 1u)] = place;
-  if (done) hits[id] = walk.hit;
+  hits[id] = done ? walk.hit : no_hit(ray);
   uint box_tests = done ? walk.box_tests : 0u, triangle_tests = done ? walk.triangle_tests : 0u;
   ADD_COUNTER(box_counter, box_tests)
   ADD_COUNTER(triangle_counter, triangle_tests)

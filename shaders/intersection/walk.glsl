@@ -35,11 +35,9 @@ float limit_of(Ray ray, uvec4 hit, bool shadow) {
 
 /// Goes on with what was left for later, unless a hit is nearer by now.
 void pop(inout Walk walk, float limit) {
-  if (walk.next == none && walk.depth > 0u) {
-    do {
-      uvec2 top = stack[--walk.depth];
-      walk.next = uintBitsToFloat(top.y) <= limit * box_slack ? top.x : none;
-    } while (walk.next == none && walk.depth > 0u);
+  while (walk.next == none && walk.depth > 0u) {
+    uvec2 top = stack[--walk.depth];
+    walk.next = uintBitsToFloat(top.y) <= limit * box_slack ? top.x : none;
   }
 }
 

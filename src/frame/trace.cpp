@@ -61,6 +61,7 @@ traversal::In traversal_in(Renderer::State& s, uint32_t bounce, uint32_t kind) {
 
 /// Nodes against all triangles, level by level, and rays against candidates.
 void meet_triangles(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  intersection::clear(s.recorder, batch, s.batch.hits);
   const AlgorithmOptions& options = s.options.algorithm;
   BatchBuffers& b = s.batch;
   for (uint32_t kind = 0; kind < kind_count; ++kind) {
@@ -125,6 +126,7 @@ void trace_queries(Renderer::State& s, const rays::Batch& batch, uint32_t bounce
 
 /// Step 6 without any structure.
 void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
+  intersection::clear(s.recorder, batch, s.batch.hits);
   begin_without_nodes(s, batch);
   for (const rays::Segment& segment : batch.segments)
     intersection::intersect_all(s.recorder,
@@ -163,7 +165,6 @@ void place_objects(Renderer::State& s, const scene::Pose& pose) {
 void trace(Renderer::State& s, uint32_t bounce, const RayNames& names) {
   const rays::Batch& batch = s.batch.rays;
   primitives::grow(s.recorder, s.batch.hits, uint64_t(batch.count) * sizeof(shared::Hit), "hits");
-  intersection::clear(s.recorder, batch, s.batch.hits);
   walk(s, batch, bounce);
   for (const rays::Segment& segment : batch.segments)
     intersection::digest(s.recorder,

@@ -58,17 +58,20 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
 
 void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, uint32_t first_surface,
             const gpu::Buffer& pixels, const gpu::Buffer& paths) {
+  constexpr uint32_t rays_a_lane = 8;
+  const uint32_t lanes = (segment.count + rays_a_lane - 1) / rays_a_lane;
   const struct {
-    uint32_t first_ray, ray_count, surfaces, first_surface, kind, light, hits_counter, digest_counter;
+    uint32_t first_ray, ray_count, lanes, surfaces, first_surface, kind, light, hits_counter, digest_counter;
   } push{segment.first,
          segment.count,
+         lanes,
          in.batch.surfaces,
          first_surface,
          segment.kind,
          segment.light,
          in.counter_row + shared::counter_ray_hits,
          in.counter_row + shared::counter_digest};
-  recorder.dispatch("intersection/digest", segment.count, push,
+  recorder.dispatch("intersection/digest", lanes, push,
                     {in.batch.slots, in.hits, pixels, paths, in.counters});
 }
 

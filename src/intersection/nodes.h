@@ -18,7 +18,7 @@ struct NodesIn {
   const objects::Hierarchy& objects;  ///< over the scene as it is now
   const rays::Batch& batch;
   const gpu::Buffer &sorted_rays, &order;  ///< by sorted position
-  const gpu::Buffer& hits;                 ///< shared::Hit a ray, cleared, in creation order
+  const gpu::Buffer& hits;                 ///< shared::Hit a ray, in creation order: written
 };
 
 /// All rays of the batch's segment. Submits, and waits.
