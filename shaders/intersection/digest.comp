@@ -50,7 +50,7 @@ void main() {
   uint i = invocation_index();
   uint met = 0u;
   uvec4 parts = uvec4(0u);  // of 64-bit sums, modulo 2^64: 16 bits at a time so that a subgroup's sum fits a word
-  if (i < ray_count) {
+  if (i < lanes) {
     do {
       uint ray = first_ray + i;
       uvec4 hit = hits[ray];

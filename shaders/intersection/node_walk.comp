@@ -69,8 +69,8 @@ uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays
 #include "intersection/node_rays.glsl"
 #include "intersection/node_bound.glsl"
 
-/// Turns of loops of a node's walk, and of all nodes of a cluster, about. A turn is one of four loops at most, and four
-/// clusters of a subgroup may have to wait for one another: lavapipe 22.3 ends loops silently after 65,535.
+/// Turns of loops of a node's walk, and of all nodes of a cluster, about. While one of four clusters of a subgroup takes a
+/// turn, five other loops may run for no lane: lavapipe 22.3 ends loops silently after 65,535.
 const uint most_turns = 640u, most_turns_in_all = 2560u;
 /// No ray that is inside a box from `enter` on hits anything in it before that, but for rounding.
 const float reach_slack = 1.0 + 8.0 * bound_pad;

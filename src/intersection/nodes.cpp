@@ -13,8 +13,9 @@ using hierarchy::Range;
 constexpr uint64_t usual_tests = 256;
 /// Groups whose frontiers are held together: 16 MiB.
 constexpr uint32_t most_groups = 16384;
-/// Lanes of a workgroup of the kernel; and most of a cluster: more had less to do each, measured on Mesa 22.3 and 25.
-constexpr uint32_t workgroup = 64, most_cluster = 4;
+/// Lanes of a workgroup of the kernel; of a cluster: more had less to do each, measured on Mesa 22.3 and 25; and most
+/// rays a lane (shaders/intersection/node_rays.glsl).
+constexpr uint32_t workgroup = 64, usual_cluster = 4, most_rows = 8;
 
 class Nodes {
  public:
@@ -78,12 +79,13 @@ class Nodes {
   /// Each cluster takes some nodes in turn on a CPU, where adding to the counters takes as long as some tests.
   [[nodiscard]] uint32_t nodes_a_cluster() const { return recorder_.device().info().software && cluster() > 1 ? 16 : 1; }
 
-  /// Lanes a node; 1 where a subgroup cannot pass values between lanes.
+  /// Lanes a node; 1 where a subgroup cannot pass values between lanes, or has too few for a node's rays.
   [[nodiscard]] uint32_t cluster() const {
     const gpu::Device& device = recorder_.device();
-    const uint32_t subgroup = device.info().subgroup_size;
-    if (!device.may_shuffle() || workgroup % subgroup || subgroup < 2) return 1;
-    return std::min({most_cluster, std::bit_ceil(in_.traversal.options.arity), subgroup});
+    const uint32_t subgroup = device.info().subgroup_size, rays = std::bit_ceil(in_.traversal.options.arity);
+    const uint32_t lanes = std::min(rays, std::max(usual_cluster, rays / most_rows));
+    const bool fits = workgroup % subgroup == 0 && lanes <= subgroup;
+    return device.may_shuffle() && fits ? lanes : 1;
   }
 
   [[nodiscard]] gpu::Kernel kernel() const {

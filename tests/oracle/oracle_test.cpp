@@ -144,11 +144,17 @@ TEST_CASE("the oracle turns red when cones are too narrow") {
 }
 
 TEST_CASE("the oracle turns red when pairs are dropped") {
-  // Few pairs matter: many are needed for one in 10,000 to be among them.
+  // Few pairs matter, and which are dropped depends on the last bits of bounds: many are needed for one in 10,000 to be
+  // among them.
   RenderOptions options = mirrored(small());
   options.width = 160, options.height = 120;
-  CHECK(wrong_under("dropped-pairs", "rah", own_scene("cornell"), options) > 0);
-  CHECK(wrong_under("dropped-pairs", "crsh-bvh", own_scene("glass"), options) > 0);
+  for (const std::string algorithm : {"rah", "crsh-bvh"}) {
+    CAPTURE(algorithm);
+    uint64_t wrong = 0;
+    for (const char* scene : {"cornell", "glass", "moving"})
+      wrong += wrong_under("dropped-pairs", algorithm, own_scene(scene), options);
+    CHECK(wrong > 0);
+  }
 }
 
 }  // namespace
