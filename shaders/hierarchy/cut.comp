@@ -38,7 +38,7 @@ void main() {
   Ray first = Ray(vec4(0.0), vec4(0.0));
   uint head = begin;
   uint i = begin;
-  do {
+  for (;;) {
     uint child = first_child + i;
     uint position = child;
     if (rays_below == 0u) position = rays_of_child[child].x;
@@ -50,6 +50,7 @@ void main() {
       first = ray;
       head = i;
     }
-  } while (++i < end);
+    if (++i >= end) break;
+  }
   ends[first_child + head] = first_child + end;
 }

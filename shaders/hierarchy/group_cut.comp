@@ -24,6 +24,8 @@ void main() {
   children_of[node] = uvec2(base, end);
   rays_of[node] = rays_below == 1u ? uvec2(base, end) : uvec2(rays_of_child[base].x, rays_of_child[end - 1u].y);
   uint child = base;
-  do parent[child] = node;
-  while (++child < end);
+  for (;;) {
+    parent[child] = node;
+    if (++child >= end) break;
+  }
 }

@@ -15,10 +15,11 @@ void main() {
   float far_end = child_intervals[ranges[i].x].far_end;
   uint child = ranges[i].x + 1u, end = ranges[i].y;
   if (child < end) {
-    do {
+    for (;;) {
       node = bound_merge(node, child_nodes[child]);
       far_end = max(far_end, child_intervals[child].far_end);
-    } while (++child < end);
+      if (++child >= end) break;
+    }
   }
   store(i, node, far_end);
 }

@@ -13,11 +13,12 @@ void main() {
   float far_end = ray.origin.w;
   uint child = ranges[i].x + 1u, end = ranges[i].y;
   if (child < end) {
-    do {
+    for (;;) {
       ray = sorted_ray(child);
       node = bound_merge_ray(node, ray);
       far_end = max(far_end, ray.origin.w);
-    } while (++child < end);
+      if (++child >= end) break;
+    }
   }
   store(i, node, far_end);
 }

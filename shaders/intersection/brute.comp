@@ -32,13 +32,22 @@ void main() {
   uvec4 hit = hits[id];
   uint tests = 0u;
   bool together = walk_together(first_triangle, triangle_count);
-  for (uint own_end = together ? 0u : triangle_count; tests < own_end; ++tests)
-    hit = meet(hit, ray, shear, load_triangle(first_triangle + tests));
-  for (uint first = tests; first < triangle_count; first += gl_SubgroupSize) {
-    Loaded mine = load_triangle(first_triangle + min(first + gl_SubgroupInvocationID, triangle_count - 1u));
-    uint loaded = min(gl_SubgroupSize, triangle_count - first);
-    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, shear, passed_round(mine, k));
-    tests += loaded;
+  if (together) {
+    for (;;) {
+      Loaded mine = load_triangle(first_triangle + min(tests + gl_SubgroupInvocationID, triangle_count - 1u));
+      uint loaded = min(gl_SubgroupSize, triangle_count - tests), k = 0u;
+      for (;;) {
+        hit = meet(hit, ray, shear, passed_round(mine, k));
+        if (++k >= loaded) break;
+      }
+      tests += loaded;
+      if (tests >= triangle_count) break;
+    }
+  } else {
+    for (;;) {
+      hit = meet(hit, ray, shear, load_triangle(first_triangle + tests));
+      if (++tests >= triangle_count) break;
+    }
   }
   if (present) hits[id] = hit;
   tests = present ? tests : 0u;

@@ -45,12 +45,24 @@ void main() {
 
   bool together = walk_together(begin, end);
   uint own_end = together || !present ? begin : end;
-  for (uint pair = begin; pair < own_end; ++pair) hit = meet(hit, ray, shear, load_triangle(pairs[pair].triangle));
-  uint common_end = together ? end : begin;
-  for (uint pair = begin; pair < common_end; pair += gl_SubgroupSize) {
-    Loaded mine = load_triangle(pairs[min(pair + gl_SubgroupInvocationID, end - 1u)].triangle);
-    uint loaded = min(gl_SubgroupSize, end - pair);
-    for (uint k = 0u; k < loaded; ++k) hit = meet(hit, ray, shear, passed_round(mine, k));
+  uint pair = begin;
+  if (pair < own_end) {
+    for (;;) {
+      hit = meet(hit, ray, shear, load_triangle(pairs[pair].triangle));
+      if (++pair >= own_end) break;
+    }
+  }
+  if (together && begin < end) {
+    for (;;) {
+      Loaded mine = load_triangle(pairs[min(pair + gl_SubgroupInvocationID, end - 1u)].triangle);
+      uint loaded = min(gl_SubgroupSize, end - pair), k = 0u;
+      for (;;) {
+        hit = meet(hit, ray, shear, passed_round(mine, k));
+        if (++k >= loaded) break;
+      }
+      pair += gl_SubgroupSize;
+      if (pair >= end) break;
+    }
   }
 
   if (present) hits[id] = hit;

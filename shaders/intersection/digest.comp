@@ -51,7 +51,7 @@ void main() {
   uint met = 0u;
   uvec4 parts = uvec4(0u);  // of 64-bit sums, modulo 2^64: 16 bits at a time so that a subgroup's sum fits a word
   if (i < lanes) {
-    do {
+    for (;;) {
       uint ray = first_ray + i;
       uvec4 hit = hits[ray];
       uvec2 digest = digest_of(first_surface + slots[ray] % surfaces, hit);
@@ -59,7 +59,8 @@ void main() {
       bool shadow = kind == kind_shadow;
       met += (shadow ? all(equal(hit.xyz, uvec3(0xFFFFFFFFu))) : hit.y != none) ? 1u : 0u;
       i += lanes;
-    } while (i < ray_count);
+      if (i >= ray_count) break;
+    }
   }
   ADD_COUNTER(hits_counter, met)
   parts = subgroupAdd(parts);

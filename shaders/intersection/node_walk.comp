@@ -167,7 +167,7 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
   uint begin = leaf_first(leaf) + own - end;  // of triangle 0 of all, if they were this leaf's
   if (count == 0u) return;
   uint first = 0u;
-  do {
+  for (;;) {
     uint mine = first + lane_in_cluster();
     uint lane = first_of_cluster() + lane_of_sum(end, mine);
     uint place = FROM_LANE(begin, lane) + mine;
@@ -185,18 +185,20 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
     uint order = may ? (floatBitsToUint(met) & ~(cluster - 1u)) | lane_in_cluster() : none;
     uint first_in_order = least_of_lanes(order);
     if (first_in_order != none) {
-      do {
+      for (;;) {
         uint lane = first_in_order & (cluster - 1u);
         meet_rays(passed_round(loaded, first_of_cluster() + lane), uintBitsToFloat(first_in_order & ~(cluster - 1u)));
         spend(walk, turns_of_rays());
         order = lane_in_cluster() == lane ? none : order;
         first_in_order = least_of_lanes(order);
-      } while (first_in_order != none);
+        if (first_in_order == none) break;
+      }
       walk.reach = reach_of_rays();
       spend(walk, turns_of_rays());
     }
     first += cluster;
-  } while (first < count);
+    if (first >= count) break;
+  }
 }
 
 /// Walks one node, and takes as many turns at most; whether that is finished.
@@ -207,22 +209,27 @@ bool walk_node(uint node, inout uint turns) {
   NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x, reach_of_rays(),
                            min(turns, most_turns));
   turns -= walk.turns;
-  do {
+  for (;;) {
     if (is_idle(walk) && walk.entry < walk.entries_end) {
-      do test_entries(walk, bound);
-      while (is_idle(walk) && walk.entry < walk.entries_end);
+      for (;;) {
+        test_entries(walk, bound);
+        if (!(is_idle(walk) && walk.entry < walk.entries_end)) break;
+      }
     }
     bool entered = walk.leaves;
     if (!entered && walk.next == none) take(walk);
     if (!entered && is_inner(walk.next)) {
-      do descend(walk, bound);
-      while (is_inner(walk.next) && walk.turns > 0u && walk.depth < most_held);
+      for (;;) {
+        descend(walk, bound);
+        if (!(is_inner(walk.next) && walk.turns > 0u && walk.depth < most_held)) break;
+      }
     }
     uint leaf = lane_in_cluster() == 0u ? walk.next : none;
     meet_leaves(walk, bound, entered ? walk.visit : leaf, entered ? walk.visit_enter : walk.enter);
     walk.next = is_inner(walk.next) ? walk.next : none;
     walk.leaves = false;
-  } while (is_left(walk) && walk.turns > 0u && walk.depth < most_held);
+    if (!(is_left(walk) && walk.turns > 0u && walk.depth < most_held)) break;
+  }
   turns += walk.turns;
   return !is_left(walk);
 }
@@ -233,14 +240,15 @@ void main() {
   box_tests = node_tests = node_hits = ray_tests = 0u;
   uint turns = most_turns_in_all;
   uint place = first_place;
-  do {
+  for (;;) {
     uint node = first_node + place;
     uvec2 before = uvec2(box_tests, node_tests);
     give_rays(walk_node(node, turns));
     ACCOUNT(tests_object, box_account + node, box_tests - before.x)
     ACCOUNT(tests_node, node_account + node, node_tests - before.y)
     place += clusters;
-  } while (place < node_count);
+    if (place >= node_count) break;
+  }
   ADD_COUNTER(counter_row + counter_box_tests, box_tests)
   ADD_COUNTER(counter_row + counter_level_tests, node_tests)
   ADD_COUNTER(counter_row + counter_level_hits, node_hits)

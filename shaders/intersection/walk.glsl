@@ -60,8 +60,10 @@ void meet_leaf(inout Walk walk, Ray ray, Shear shear) {
   uint count = leaf_triangles(walk.next), begin = leaf_first(walk.next);
   if (count > 0u) {
     uint k = 0u;
-    do walk.hit = meet(walk.hit, ray, shear, load_leaf_triangle(begin + k));
-    while (++k < count);
+    for (;;) {
+      walk.hit = meet(walk.hit, ray, shear, load_leaf_triangle(begin + k));
+      if (++k >= count) break;
+    }
   }
   walk.triangle_tests += count;
   walk.next = is_inner(walk.next) ? walk.next : none;
@@ -73,12 +75,13 @@ void walk_on(inout Walk walk, Ray ray, bool shadow) {
   Shear shear = shear_of(ray.direction.xyz);
   float limit = limit_of(ray, walk.hit, shadow);
   if (walk.next == none) return;
-  do {
+  for (;;) {
     if (is_inner(walk.next)) {
-      do {
+      for (;;) {
         descend(walk, box_ray, limit);
         pop(walk, limit);
-      } while (is_inner(walk.next) && walk.box_tests < most_tests);
+        if (!(is_inner(walk.next) && walk.box_tests < most_tests)) break;
+      }
     }
     meet_leaf(walk, ray, shear);
     limit = limit_of(ray, walk.hit, shadow);
@@ -86,5 +89,6 @@ void walk_on(inout Walk walk, Ray ray, bool shadow) {
     walk.depth = ended ? 0u : walk.depth;
     walk.next = ended ? none : walk.next;
     pop(walk, limit);
-  } while (walk.next != none && walk.box_tests + walk.triangle_tests < most_tests);
+    if (!(walk.next != none && walk.box_tests + walk.triangle_tests < most_tests)) break;
+  }
 }

@@ -47,12 +47,15 @@ struct Texels {
   vec4 transmission;
 };
 
-/// One loop over the textures that are there: lavapipe runs through every branch, but ends loops early.
+/// One loop over the textures that are there: the sampler is long, and lavapipe 22.3 runs through every branch. (Nested
+/// loops that test at their ends give wrong sums there.)
 Texels texels_at(Material material, Attributes at) {
   uvec4 words = material.textures;
   Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
   uvec4 bits = mix(uvec4(1u, 2u, 4u, 8u), uvec4(0u), equal(words, uvec4(none)));
-  for (uint left = bits.x | bits.y | bits.z | bits.w; left != 0u; left &= left - 1u) {
+  uint left = bits.x | bits.y | bits.z | bits.w;
+  if (left == 0u) return found;
+  for (; left != 0u; left &= left - 1u) {
     int slot = findLSB(left);
     vec4 value = sample_texture(texture_of(words[slot] >> 1), (words[slot] & 1u) == 0u ? at.uv0 : at.uv1);
     if (slot == 0) found.base_colour = value;

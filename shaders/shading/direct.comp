@@ -42,9 +42,11 @@ void main() {
   if (i >= surfaces) return;
   uint surface = first_surface + i;
   vec4 sum = direct[surface];
-  for (uint l = 0u; l < light_count; ++l) {
+  uint l = 0u;
+  for (;;) {
     uint ray = ray_of(first_slot + l * surfaces + i);
     if (ray != none) sum.rgb += light_from(surface, lights[first_light + l], let_through(hits[ray].words.xyz));
+    if (++l >= light_count) break;
   }
   direct[surface] = sum;
 }

@@ -38,8 +38,11 @@ void complete(inout Surface found, uint triangle, Material material, vec3 incomi
   vec3 front = front_normal(a, b, c);
   found.geometric = turned_normal(front, incoming);
   found.eta = eta_of(material, meets_front(front, incoming));
-  Attributes at = attributes_at(triangle, weights_at(found.position, a, b, c));
-  found.emission = material.emissive_metallic.rgb * texels_at(emissive_only(material), at).emissive.rgb;
+  found.emission = material.emissive_metallic.rgb;
+  if (material.textures.z != none) {
+    Attributes at = attributes_at(triangle, weights_at(found.position, a, b, c));
+    found.emission *= texels_at(emissive_only(material), at).emissive.rgb;
+  }
 }
 
 void main() {

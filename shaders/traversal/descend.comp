@@ -54,29 +54,39 @@ void main() {
   uint word = list.first_mask;
   bool together = walk_together(list.begin, list.end);
   uint own_end = together || !present ? list.begin : list.end;
-  for (uint begin = list.begin; begin < own_end; begin += 32u) {
-    uint count = min(32u, list.end - begin);
-    uint mask = 0u;
-    for (uint k = 0u; k < count; ++k) {
-      Volume volume = load_volume(pairs[begin + k].triangle);
-      if (may_hit(ray_node, interval, volume, use_interval == 1u)) mask |= 1u << k;
+  uint begin = list.begin;
+  if (begin < own_end) {
+    for (;;) {
+      uint count = min(32u, list.end - begin), mask = 0u, k = 0u;
+      for (;;) {
+        Volume volume = load_volume(pairs[begin + k].triangle);
+        mask |= may_hit(ray_node, interval, volume, use_interval == 1u) ? 1u << k : 0u;
+        if (++k >= count) break;
+      }
+      masks[word++] = mask;
+      hits += bitCount(mask);
+      begin += 32u;
+      if (begin >= own_end) break;
     }
-    masks[word++] = mask;
-    hits += bitCount(mask);
   }
-  uint common_end = together ? list.end : list.begin;
-  for (uint begin = list.begin; begin < common_end; begin += 32u) {
-    uint count = min(32u, list.end - begin);
-    uint mask = 0u;
-    for (uint first = 0u; first < count; first += gl_SubgroupSize) {
-      Volume mine = load_volume(pairs[begin + min(first + gl_SubgroupInvocationID, count - 1u)].triangle);
-      uint loaded = min(gl_SubgroupSize, count - first);
-      for (uint k = 0u; k < loaded; ++k)
-        if (may_hit(ray_node, interval, passed_round(mine, k), use_interval == 1u))
-          mask |= 1u << (first + k);
+  if (together && list.begin < list.end) {
+    for (;;) {
+      uint count = min(32u, list.end - begin), mask = 0u, first = 0u;
+      for (;;) {
+        Volume mine = load_volume(pairs[begin + min(first + gl_SubgroupInvocationID, count - 1u)].triangle);
+        uint loaded = min(gl_SubgroupSize, count - first), k = 0u;
+        for (;;) {
+          mask |= may_hit(ray_node, interval, passed_round(mine, k), use_interval == 1u) ? 1u << (first + k) : 0u;
+          if (++k >= loaded) break;
+        }
+        first += gl_SubgroupSize;
+        if (first >= count) break;
+      }
+      if (present) masks[word++] = mask;
+      hits += bitCount(mask);
+      begin += 32u;
+      if (begin >= list.end) break;
     }
-    if (present) masks[word++] = mask;
-    hits += bitCount(mask);
   }
 
   hits = present ? hits : 0u;

@@ -111,7 +111,7 @@ void main() {
   uint next = 0u;  // inner node
   Entry entry = Entry(none, false, present, 0.0);  // the same as a slot
   bool room = true;
-  do {
+  for (;;) {
     BOXES(next, low0, high0, low1, high1)
     Entry a = tested(group, reach, entry.mine, 2u * next, low0, high0);
     Entry b = tested(group, reach, entry.mine, 2u * next + 1u, low1, high1);
@@ -133,7 +133,7 @@ void main() {
       inner = none;
     }
     if (in_hand) {
-      do {
+      for (;;) {
         in_hand = entry.small && depth > 0u;
         if (entry.small) {
           put(entry);
@@ -143,14 +143,18 @@ void main() {
           if (inner == none) inner = floatBitsToUint(box_low[entry.slot].w);
           next = inner;
         }
-      } while (in_hand);
+        if (!in_hand) break;
+      }
     }
     room = lanes_of_cluster(count + depth + 2u > most_entries) == 0u;
-  } while (next != none && visits < most_visits && room);
+    if (!(next != none && visits < most_visits && room)) break;
+  }
   if (next != none) put(entry);
   if (depth > 0u) {
-    do put(unpacked(stack[--depth]));
-    while (depth > 0u);
+    for (;;) {
+      put(unpacked(stack[--depth]));
+      if (depth == 0u) break;
+    }
   }
   if (present) frontier[first - 1u] = uvec2(count, 0u);
   ADD_COUNTER(box_counter, tests)

@@ -35,9 +35,11 @@ void main() {
   BOUND ray_node = nodes[first_node + node];
   Interval interval = intervals[first_node + node];
   uint first = word * 32u, count = min(32u, object_count - first);
-  uint bits = 0u;
-  for (uint k = 0u; k < count; ++k)
-    if (bound_may_hit_sphere(ray_node, interval, object_spheres[first + k], use_interval == 1u)) bits |= 1u << k;
+  uint bits = 0u, k = 0u;
+  for (;;) {
+    bits |= bound_may_hit_sphere(ray_node, interval, object_spheres[first + k], use_interval == 1u) ? 1u << k : 0u;
+    if (++k >= count) break;
+  }
   mesh_hits[node * words + word] = bits;
   ADD_COUNTER(counter, count)
   ACCOUNT(tests_object, first_account + first_node + node, count)

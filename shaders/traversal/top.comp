@@ -58,15 +58,26 @@ void main() {
   uint mask = 0u;
   bool together = walk_together(block.y, block.z);
   uint own_end = together ? 0u : count;
-  for (uint k = 0u; k < own_end; ++k)
-    if (may_hit(ray_node, interval, load_volume(block.y + k), use_interval == 1u)) mask |= 1u << k;
+  if (own_end > 0u) {
+    uint k = 0u;
+    for (;;) {
+      mask |= may_hit(ray_node, interval, load_volume(block.y + k), use_interval == 1u) ? 1u << k : 0u;
+      if (++k >= own_end) break;
+    }
+  }
   uint common_end = together && any_lane(count > 0u) ? block.z : 0u;
-  for (uint first = 0u; first < common_end; first += gl_SubgroupSize) {
-    Volume mine = load_volume(block.y + min(first + gl_SubgroupInvocationID, block.z - 1u));
-    uint loaded = min(gl_SubgroupSize, block.z - first);
-    for (uint k = 0u; k < loaded; ++k)
-      if (may_hit(ray_node, interval, passed_round(mine, k), use_interval == 1u))
-        mask |= 1u << (first + k);
+  if (common_end > 0u) {
+    uint first = 0u;
+    for (;;) {
+      Volume mine = load_volume(block.y + min(first + gl_SubgroupInvocationID, block.z - 1u));
+      uint loaded = min(gl_SubgroupSize, block.z - first), k = 0u;
+      for (;;) {
+        mask |= may_hit(ray_node, interval, passed_round(mine, k), use_interval == 1u) ? 1u << (first + k) : 0u;
+        if (++k >= loaded) break;
+      }
+      first += gl_SubgroupSize;
+      if (first >= common_end) break;
+    }
   }
 
   mask = count > 0u ? mask : 0u;
