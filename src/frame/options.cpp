@@ -75,7 +75,7 @@ AlgorithmOptions crsh_bvh() {
   options.levels = {2, 2, 2};
   options.ray_order = RayOrder::tiles;
   options.cut_angle = 0.04f;
-  options.cut_distance = 0.003f;
+  options.cut_distance = 0.005f;
   options.keys[shared::kind_reflection] = options.keys[shared::kind_refraction] = "origin-direction";
   return options;
 }

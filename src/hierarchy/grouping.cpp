@@ -13,7 +13,7 @@ using primitives::grow;
 using primitives::quad_bytes;
 
 /// Groups for the object hierarchy end where level-1 nodes are so many times farther apart than their rays may be.
-constexpr float group_scale = 8;
+constexpr float group_scale = 4;
 
 /// Whether nodes of this level end where coherence ends. Above level 1 only groups for the object hierarchy do: others are
 /// tested against the whole scene, and there would be too many of them.
