@@ -6,10 +6,9 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 16) in;
-#include "lib/exact.glsl"
+#include "hierarchy/goes_along.glsl"
 #include "lib/invocation.glsl"
 #include "shared/limits.h"
-#include "shared/ray.h"
 
 layout(push_constant, scalar) uniform Push {
   uint first_child;  // of the segment
@@ -24,13 +23,6 @@ layout(binding = 1, scalar) readonly buffer RaysBelow { uvec2 rays_of_child[]; }
 layout(binding = 2, scalar) writeonly buffer Heads { uint heads[]; };            // 1: a node begins at this child
 layout(binding = 3, scalar) writeonly buffer Ends { uint ends[]; };              // where the node that begins here ends
 
-bool goes_along(Ray first, Ray ray) {
-  bvec3 same_side = equal(lessThan(first.direction.xyz, vec3(0.0)), lessThan(ray.direction.xyz, vec3(0.0)));
-  precise vec3 turned = ray.direction.xyz - first.direction.xyz;
-  precise vec3 moved = ray.origin.xyz - first.origin.xyz;
-  return all(same_side) && exact_length(turned) <= chord && exact_length(moved) <= reach;
-}
-
 void main() {
   uint begin = invocation_index() * cut_run;
   if (begin >= children) return;
@@ -43,7 +35,7 @@ void main() {
     uint position = child;
     if (rays_below == 0u) position = rays_of_child[child].x;
     Ray ray = rays[position];
-    bool joins = i > begin && i - head < arity && goes_along(first, ray);
+    bool joins = i > begin && i - head < arity && goes_along(first, ray, chord, reach);
     heads[child] = joins ? 0u : 1u;
     if (!joins) {
       if (i > begin) ends[first_child + head] = child;

@@ -47,6 +47,7 @@ struct AlgorithmOptions {
   NodeCut nodes = NodeCut::fixed;
   float cut_angle = 0.1f;  ///< radians: cut level-1 nodes end where rays are farther from the first
   float cut_distance = 4;  ///< of the scene's longest edge: so does the distance of their origins
+  float least_rays = 2;    ///< where cut nodes would hold fewer, unsorted and on average, rays go one by one (object_hierarchy)
   uint32_t arity = 8;
   std::array<uint32_t, kind_count> levels = {2, 2, 2};
   std::string bound = "sphere-cone";

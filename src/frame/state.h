@@ -37,6 +37,7 @@ struct BatchBuffers {
   coherence::Order order;
   gpu::Buffer sorted_rays, hits;
   hierarchy::Hierarchy hierarchy;
+  gpu::Buffer sampled;
   hierarchy::Account account;
   traversal::Scratch traversal;
   intersection::NodeScratch nodes;

@@ -2,8 +2,11 @@
 
 #include "frame/trace.h"
 
+#include <algorithm>
+
 #include "frame/dump.h"
 #include "frame/look_inside.h"
+#include "hierarchy/sample.h"
 #include "primitives/grow.h"
 
 namespace crsh {
@@ -75,10 +78,22 @@ void meet_triangles(Renderer::State& s, const rays::Batch& batch, uint32_t bounc
   }
 }
 
+/// The rays of a segment one by one.
+void meet_alone(Renderer::State& s, const rays::Batch& batch, uint32_t bounce, const rays::Segment& segment) {
+  intersection::intersect_single(s.recorder,
+                                 {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
+                                  Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account},
+                                 s.objects, segment, s.batch.single);
+}
+
 /// Nodes through the object hierarchy.
 void meet_objects(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   BatchBuffers& b = s.batch;
   for (size_t segment = 0; segment < batch.segments.size(); ++segment) {
+    if (batch.segments[segment].alone) {
+      meet_alone(s, batch, bounce, batch.segments[segment]);
+      continue;
+    }
     const traversal::In in = traversal_in(s, bounce, batch.segments[segment].kind);
     intersection::intersect_nodes(s.recorder, {in, s.objects, batch, b.sorted_rays, b.order.order, b.hits}, segment,
                                   b.nodes, b.single);
@@ -107,11 +122,7 @@ void trace_hierarchy(Renderer::State& s, const rays::Batch& batch, uint32_t boun
 /// Step 6 for rays one by one.
 void trace_single(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   begin_without_nodes(s, batch);
-  for (const rays::Segment& segment : batch.segments)
-    intersection::intersect_single(s.recorder,
-                                   {s.gpu_scene, batch, s.batch.hits, s.counters->buffer(),
-                                    Counters::row(bounce, segment.kind), s.options.submit_work, s.batch.account},
-                                   s.objects, segment, s.batch.single);
+  for (const rays::Segment& segment : batch.segments) meet_alone(s, batch, bounce, segment);
 }
 
 /// Step 6 by the device's own ray queries.
@@ -135,6 +146,15 @@ void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) 
                                 segment);
 }
 
+/// Marks the segments whose rays are too scattered for nodes.
+void find_scattered(Renderer::State& s) {
+  const AlgorithmOptions& options = s.options.algorithm;
+  if (tracing_of(s) != Tracing::nodes || !options.object_hierarchy || options.nodes != NodeCut::cut) return;
+  const std::vector<float> means = hierarchy::rays_a_node(
+      s.recorder, {s.batch.rays, options, s.gpu_scene.bounds.longest_edge()}, s.batch.sampled);
+  for (size_t i = 0; i < means.size(); ++i) s.batch.rays.segments[i].alone = means[i] < options.least_rays;
+}
+
 void walk(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
   switch (tracing_of(s)) {
     case Tracing::nodes: return trace_hierarchy(s, batch, bounce);
@@ -149,9 +169,12 @@ void walk(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) {
 Tracing tracing_of(const Renderer::State& s) {
   constexpr uint32_t few_triangles = 128;
   const AlgorithmOptions& options = s.options.algorithm;
-  const bool not_worth_it =
-      options.tracing == Tracing::nodes && options.object_hierarchy && s.gpu_scene.triangle_count <= few_triangles;
-  return not_worth_it ? Tracing::single_rays : options.tracing;
+  if (options.tracing != Tracing::nodes || !options.object_hierarchy) return options.tracing;
+  const std::vector<rays::Segment>& segments = s.batch.rays.segments;
+  const bool all_alone = !segments.empty() && std::ranges::all_of(segments, [](const rays::Segment& segment) {
+                           return segment.count == 0 || segment.alone;
+                         });
+  return s.gpu_scene.triangle_count <= few_triangles || all_alone ? Tracing::single_rays : Tracing::nodes;
 }
 
 void place_objects(Renderer::State& s, const scene::Pose& pose) {
@@ -165,6 +188,7 @@ void place_objects(Renderer::State& s, const scene::Pose& pose) {
 void trace(Renderer::State& s, uint32_t bounce, const RayNames& names) {
   const rays::Batch& batch = s.batch.rays;
   primitives::grow(s.recorder, s.batch.hits, uint64_t(batch.count) * sizeof(shared::Hit), "hits");
+  find_scattered(s);
   walk(s, batch, bounce);
   for (const rays::Segment& segment : batch.segments)
     intersection::digest(s.recorder,

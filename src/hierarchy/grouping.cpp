@@ -70,8 +70,7 @@ void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>&
   grow(recorder, out.cut.heads, quad_bytes(children), "node heads");
   grow(recorder, out.cut.ends, quad_bytes(children), "node ends");
   grow(recorder, out.levels[index].children, sizeof(glm::uvec2), "ranges of children");
-  const float scale = index == 0 ? 1 : group_scale, angle = in.options.cut_angle * scale;
-  const float chord = angle < 3 ? 2 * std::sin(angle / 2) : 2.5f, reach = in.options.cut_distance * scale * in.extent;
+  const CutLimits limits = cut_limits(in.options, in.extent, index);
   for (size_t s = 0; s < below.size(); ++s) {
     if (wanted_levels(in.segments[s], in.options) <= index) {
       recorder.fill(out.cut.heads, 0, below[s].count, below[s].first);
@@ -79,8 +78,8 @@ void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>&
     }
     const struct {
       uint32_t first_child, children, arity, rays_below;
-      float chord, reach;
-    } push{below[s].first, below[s].count, in.options.arity, index == 0, chord, reach};
+      CutLimits limits;
+    } push{below[s].first, below[s].count, in.options.arity, index == 0, limits};
     recorder.dispatch("hierarchy/cut", (uint64_t(below[s].count) + shared::cut_run - 1) / shared::cut_run, push,
                       {in.sorted_rays, rays_of_children(out, index), out.cut.heads, out.cut.ends}, below[s].count);
   }
@@ -116,8 +115,13 @@ void group_cut(gpu::Recorder& recorder, const In& in, const std::vector<Range>& 
 
 }  // namespace
 
+CutLimits cut_limits(const AlgorithmOptions& options, float extent, uint32_t index) {
+  const float scale = index == 0 ? 1 : group_scale, angle = options.cut_angle * scale;
+  return {angle < 3 ? 2 * std::sin(angle / 2) : 2.5f, options.cut_distance * scale * extent};
+}
+
 uint32_t wanted_levels(const rays::Segment& segment, const AlgorithmOptions& options) {
-  return segment.count == 0 ? 0 : options.levels[segment.kind];
+  return segment.count == 0 || segment.alone ? 0 : options.levels[segment.kind];
 }
 
 void group(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {

@@ -5,6 +5,13 @@
 
 namespace crsh::hierarchy {
 
+/// How far apart the rays of a cut node may be: as shaders/hierarchy/goes_along.glsl takes it.
+struct CutLimits {
+  float chord, reach;
+};
+/// Of the nodes of levels[index]; `extent` is the longest edge of the scene's bounds, metres.
+[[nodiscard]] CutLimits cut_limits(const AlgorithmOptions& options, float extent, uint32_t index);
+
 /// Levels that a segment's rays get.
 [[nodiscard]] uint32_t wanted_levels(const rays::Segment& segment, const AlgorithmOptions& options);
 

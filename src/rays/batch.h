@@ -14,6 +14,7 @@ struct Segment {
   uint32_t kind = 0;   ///< shared::kind_*
   uint32_t light = 0;  ///< shadow rays: index of the light
   uint32_t first = 0, count = 0;  ///< rays, in creation order after trimming; sorting keeps the segment's place
+  bool alone = false;             ///< too scattered for nodes: they go one by one through the object hierarchy
 };
 
 /// Slots: one a surface a segment, segment-major: slot = segment * surfaces + surface.

@@ -70,6 +70,7 @@ std::string replayed(const Recording& recording, const RayTable& rays, const std
   RenderOptions options;
   options.bounces = 1;
   options.algorithm = preset(name);
+  options.algorithm.least_rays = 0;  // pictures are so small that most rays would be too scattered for nodes
   for (std::string& key : options.algorithm.keys)
     if (key == inexact_key) key = rays::key_of_file;
   Renderer renderer(device(), own_scene(recording.scene), options);

@@ -104,13 +104,40 @@ TEST_CASE("every number of levels gives the same hits and picture") {
 
 TEST_CASE("nodes through the object hierarchy give the same hits and picture, however they are made") {
   const auto difference_of = [](const Change& change) {
-    return difference_by([&](auto& options) { options = preset("crsh-bvh"), change(options); });
+    return difference_by([&](auto& options) { options = preset("crsh-bvh"), options.least_rays = 0, change(options); });
   };
   for (const uint32_t levels : {1, 2}) CHECK(difference_of([&](auto& options) { options.levels.fill(levels); }) == "");
   for (const uint32_t arity : {2, 3, 20, 64}) CHECK(difference_of([&](auto& options) { options.arity = arity; }) == "");
   CHECK(difference_of([](auto& options) { options.nodes = NodeCut::fixed, options.keys.fill("creation"); }) == "");
   CHECK(difference_of([](auto& options) { options.interval = false, options.bound = "sphere-cone"; }) == "");
   CHECK(difference_of([](auto& options) { options.cut_angle = 0, options.compression = true; }) == "");
+}
+
+TEST_CASE("rays that are too scattered for nodes go one by one, kind by kind") {
+  const scene::Scene& scene = own_scene("glass");
+  RenderOptions options;
+  options.width = 64, options.height = 48, options.bounces = 1;
+  const auto rendered_with = [&](const AlgorithmOptions& algorithm) {
+    options.algorithm = algorithm;
+    return render(scene, options);
+  };
+  AlgorithmOptions never = preset("crsh-bvh"), always = never;
+  never.least_rays = 0, always.least_rays = 64;
+  const Rendered single = rendered_with(preset("bvh")), nodes = rendered_with(never), scattered = rendered_with(always);
+  CHECK(difference(nodes, single) == "");
+  CHECK(difference(scattered, single) == "");
+  for (const char* kind : {"reflection", "refraction"}) {
+    CAPTURE(std::string(kind));
+    const RayStatistics &one = rays_of(single.statistics, kind, 0), &all = rays_of(scattered.statistics, kind, 0);
+    CHECK(rays_of(nodes.statistics, kind, 0).levels.size() == 2);
+    CHECK(all.levels.empty());
+    CHECK(all.box_tests == one.box_tests);
+    CHECK(all.triangle_tests == one.triangle_tests);
+  }
+  // Shadow rays share their origin: they are bundled.
+  const RayStatistics &shadow = rays_of(scattered.statistics, "shadow", 0), &same = rays_of(nodes.statistics, "shadow", 0);
+  CHECK(shadow.levels.size() == 2);
+  CHECK(shadow.total_tests() == same.total_tests());
 }
 
 TEST_CASE("kinds with different numbers of levels give the same hits and picture") {

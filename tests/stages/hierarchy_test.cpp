@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hierarchy/hierarchy.h"
+#include "hierarchy/sample.h"
 #include "hierarchy_twin.h"
 #include "shared/limits.h"
 #include "support/cases_trace.h"
@@ -216,4 +217,46 @@ TEST_CASE("bounds of more rays than a lane may walk are merged from below") {
   uint32_t outside = 0;
   for (const shared::Ray& ray : batch.sorted_rays) outside += !holds(bound_of(read.nodes[2][0]), bound_of(ray));
   CHECK(outside == 0);
+}
+
+/// Rays in `bunches` of one direction each, opposite to the one before.
+std::vector<shared::Ray> bunched(uint32_t count, uint32_t bunch, uint32_t kind) {
+  std::vector<shared::Ray> rays;
+  for (uint32_t i = 0; i < count; ++i) {
+    const float side = i / bunch % 2 ? -1.0f : 1.0f;
+    rays.push_back(ray_between(glm::vec3(0), side * glm::vec3(1, 2, 3), kind, 1));
+  }
+  return rays;
+}
+
+/// Nodes of the runs of rays that are looked at, and those rays.
+double expected_mean(uint32_t count, uint32_t bunch, uint32_t arity) {
+  const uint32_t runs = (count + shared::cut_run - 1) / shared::cut_run, stride = (runs + 255) / 256;
+  uint32_t rays = 0, nodes = 0;
+  for (uint32_t begin = 0; begin < count; begin += stride * shared::cut_run) {
+    const uint32_t end = std::min(begin + shared::cut_run, count);
+    for (uint32_t i = begin, head = begin; i < end; ++i, ++rays) {
+      const bool ends = i > begin && (i - head == arity || i % bunch == 0);
+      if (i == begin || ends) head = i, ++nodes;
+    }
+  }
+  return double(rays) / nodes;
+}
+
+TEST_CASE("how many rays nodes would hold is found from a sample of the rays as they were created") {
+  gpu::Recorder recorder(test::device());
+  gpu::Buffer sums;
+  AlgorithmOptions options = options_of(8, {2, 2, 2});
+  options.cut_angle = 0.1f;
+  for (const uint32_t count : {1u, 127u, 128u, 129u, 5'000u, 100'000u})
+    for (const uint32_t bunch : {1u, 3u, 5u, 1'000u}) {
+      CAPTURE(count);
+      CAPTURE(bunch);
+      const SortedBatch batch = make_batch(test::device(), {bunched(count, bunch, shared::kind_shadow), {},
+                                                            bunched(count, bunch, shared::kind_reflection)});
+      const std::vector<float> means = hierarchy::rays_a_node(recorder, {batch.batch, options, 1}, sums);
+      CHECK(std::isinf(means[0]));
+      CHECK(std::isinf(means[1]));
+      CHECK(means[2] == doctest::Approx(expected_mean(count, bunch, 8)));
+    }
 }

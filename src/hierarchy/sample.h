@@ -1,0 +1,22 @@
+#pragma once
+// How coherent rays are as they are created, from a sample: what decides by counts whether nodes of them pay.
+
+#include <vector>
+
+#include "frame/options.h"
+#include "gpu/recorder.h"
+#include "rays/batch.h"
+
+namespace crsh::hierarchy {
+
+struct SampleIn {
+  const rays::Batch& batch;
+  const AlgorithmOptions& options;
+  float extent;  ///< longest edge of the scene's bounds, metres
+};
+
+/// Rays that a cut node of level 1 would hold on average, by segment, if rays were bundled unsorted; infinite for segments
+/// of shadow rays, which share their origin, or of no rays. `sums` is kept between calls. Submits, and waits.
+[[nodiscard]] std::vector<float> rays_a_node(gpu::Recorder& recorder, const SampleIn& in, gpu::Buffer& sums);
+
+}  // namespace crsh::hierarchy
