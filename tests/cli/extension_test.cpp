@@ -99,10 +99,10 @@ TEST_CASE("the key that CONTRIBUTING works out in NumPy sorts rays that are repl
     run("sh", {"-c", "cd '" + folder.path().string() + "' && " + command});
   };
   output::write_whole(folder / "key.py", code_after("```python"));
-  const std::string crsh = test::crsh_path(), options = " -q --bounces 0 ";
-  in_folder(crsh + " render " + office + options + "--size 32x24 --dump-rays rays.npz --stats before.json");
+  const std::string render = "'" + test::crsh_path() + "' render '" + office + "' -q --bounces 0 ";
+  in_folder(render + "--size 32x24 --dump-rays rays.npz --stats before.json");
   in_folder(python + " key.py");
-  in_folder(crsh + " render " + office + options + "--replay-rays own.npz --key file --stats after.json");
+  in_folder(render + "--replay-rays own.npz --key file --stats after.json");
   const json before = json::parse(output::read_whole(folder / "before.json")),
              after = json::parse(output::read_whole(folder / "after.json"));
   CHECK(before["rays"][0]["hits_digest"] == after["rays"][0]["hits_digest"]);
