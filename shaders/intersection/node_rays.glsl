@@ -62,7 +62,7 @@ void give_rays(bool done) {
 #else
 
 // Ray `row * cluster + lane` of the node is lane's; those past the node's last one are never wanted. A row is a variable
-// of its own: drivers keep an array in memory where a loop over it is not unrolled, as lavapipe does with loops in loops.
+// of its own, and no loop goes over them: its body would be run once more than there are rows, and an array kept in memory.
 struct OwnRay {
   uint id;
   Ray ray;

@@ -6,7 +6,7 @@
 //
 // A cluster of lanes takes a node, a ray each. All of them walk alike: what the node needs is loaded once, by one lane or
 // another, and passed round; boxes of a frontier and triangles of a leaf are tested side by side. In the "-alone" build a
-// cluster is one lane, which takes the rays in turn. Both make the same tests.
+// cluster is one lane, which takes the rays in turn: the same hits, after tests in another order.
 //
 // Nodes that need very many tests are left: their rays then go one by one (single.comp).
 #extension GL_GOOGLE_include_directive : require
@@ -182,16 +182,16 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
     may = may && (drop_every == 0u || (place + 7u * node_rays.x) % drop_every != 0u);
     spend(walk, 1u);
     // Distance, a little rounded down, and lane in one word, so that one search finds both; `none`: may not hit.
-    uint order = may ? (floatBitsToUint(met) & ~(cluster - 1u)) | lane_in_cluster() : none;
-    uint first_in_order = least_of_lanes(order);
-    if (first_in_order != none) {
+    uint own_turn = may ? (floatBitsToUint(met) & ~(cluster - 1u)) | lane_in_cluster() : none;
+    uint nearest = least_of_lanes(own_turn);
+    if (nearest != none) {
       for (;;) {
-        uint lane = first_in_order & (cluster - 1u);
-        meet_rays(passed_round(loaded, first_of_cluster() + lane), uintBitsToFloat(first_in_order & ~(cluster - 1u)));
+        uint of_lane = nearest & (cluster - 1u);
+        meet_rays(passed_round(loaded, first_of_cluster() + of_lane), uintBitsToFloat(nearest & ~(cluster - 1u)));
         spend(walk, turns_of_rays());
-        order = lane_in_cluster() == lane ? none : order;
-        first_in_order = least_of_lanes(order);
-        if (first_in_order == none) break;
+        own_turn = lane_in_cluster() == of_lane ? none : own_turn;
+        nearest = least_of_lanes(own_turn);
+        if (nearest == none) break;
       }
       walk.reach = reach_of_rays();
       spend(walk, turns_of_rays());

@@ -110,7 +110,6 @@ void main() {
   uint depth = 0u, visits = 0u, tests = 0u;
   uint next = 0u;  // inner node
   Entry entry = Entry(none, false, present, 0.0);  // the same as a slot
-  bool room = true;
   for (;;) {
     BOXES(next, low0, high0, low1, high1)
     Entry a = tested(group, reach, entry.mine, 2u * next, low0, high0);
@@ -146,7 +145,7 @@ void main() {
         if (!in_hand) break;
       }
     }
-    room = lanes_of_cluster(count + depth + 2u > most_entries) == 0u;
+    bool room = lanes_of_cluster(count + depth + 2u > most_entries) == 0u;
     if (!(next != none && visits < most_visits && room)) break;
   }
   if (next != none) put(entry);

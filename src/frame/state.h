@@ -37,7 +37,7 @@ struct BatchBuffers {
   coherence::Order order;
   gpu::Buffer sorted_rays, hits;
   hierarchy::Hierarchy hierarchy;
-  gpu::Buffer sampled;
+  gpu::Buffer sampled;  ///< scratch of hierarchy::rays_a_node
   hierarchy::Account account;
   traversal::Scratch traversal;
   intersection::NodeScratch nodes;

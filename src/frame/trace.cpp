@@ -149,7 +149,8 @@ void trace_brute(Renderer::State& s, const rays::Batch& batch, uint32_t bounce) 
 /// Marks the segments whose rays are too scattered for nodes.
 void find_scattered(Renderer::State& s) {
   const AlgorithmOptions& options = s.options.algorithm;
-  if (tracing_of(s) != Tracing::nodes || !options.object_hierarchy || options.nodes != NodeCut::cut) return;
+  const bool may_be = options.object_hierarchy && options.nodes == NodeCut::cut && options.least_rays > 0;
+  if (tracing_of(s) != Tracing::nodes || !may_be) return;
   const std::vector<float> means = hierarchy::rays_a_node(
       s.recorder, {s.batch.rays, options, s.gpu_scene.bounds.longest_edge()}, s.batch.sampled);
   for (size_t i = 0; i < means.size(); ++i) s.batch.rays.segments[i].alone = means[i] < options.least_rays;

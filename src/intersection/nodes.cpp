@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "gpu/clusters.h"
 
 namespace crsh::intersection {
 namespace {
@@ -13,9 +14,9 @@ using hierarchy::Range;
 constexpr uint64_t usual_tests = 256;
 /// Groups whose frontiers are held together: 16 MiB.
 constexpr uint32_t most_groups = 16384;
-/// Lanes of a workgroup of the kernel; of a cluster: more had less to do each, measured on Mesa 22.3 and 25; and most
-/// rays a lane (shaders/intersection/node_rays.glsl).
-constexpr uint32_t workgroup = 64, usual_cluster = 4, most_rows = 8;
+/// Lanes of a cluster: more had less to do each, measured on Mesa 22.3 and 25; and most rays a lane
+/// (shaders/intersection/node_rays.glsl).
+constexpr uint32_t usual_cluster = 4, most_rows = 8;
 
 class Nodes {
  public:
@@ -81,11 +82,9 @@ class Nodes {
 
   /// Lanes a node; 1 where a subgroup cannot pass values between lanes, or has too few for a node's rays.
   [[nodiscard]] uint32_t cluster() const {
-    const gpu::Device& device = recorder_.device();
-    const uint32_t subgroup = device.info().subgroup_size, rays = std::bit_ceil(in_.traversal.options.arity);
+    const uint32_t rays = std::bit_ceil(in_.traversal.options.arity);
     const uint32_t lanes = std::min(rays, std::max(usual_cluster, rays / most_rows));
-    const bool fits = workgroup % subgroup == 0 && lanes <= subgroup;
-    return device.may_shuffle() && fits ? lanes : 1;
+    return gpu::may_cluster(recorder_.device(), lanes) ? lanes : 1;
   }
 
   [[nodiscard]] gpu::Kernel kernel() const {

@@ -1,5 +1,6 @@
 #include "traversal/groups.h"
 
+#include "gpu/clusters.h"
 #include "primitives/grow.h"
 #include "shared/counters.h"
 #include "shared/walk.h"
@@ -9,13 +10,8 @@ namespace {
 
 /// Tests of a group, for a submit's account.
 constexpr uint64_t usual_tests = 256;
-/// Lanes of a workgroup of the kernel, and of a cluster that goes together (shaders/traversal/group_walk.comp).
-constexpr uint32_t workgroup = 64, cluster = 4;
-
-const char* build_for(const gpu::Device& device) {
-  const uint32_t subgroup = device.info().subgroup_size;
-  return device.may_shuffle() && workgroup % subgroup == 0 && subgroup >= cluster ? "" : "-alone";
-}
+/// Groups that go together: lanes of a cluster (shaders/traversal/group_walk.comp).
+constexpr uint32_t cluster = 4;
 
 void reserve(gpu::Recorder& recorder, gpu::Buffer& frontiers, uint64_t lists) {
   primitives::grow(recorder, frontiers, lists * shared::frontier_room * sizeof(glm::uvec2), "frontiers");
@@ -32,7 +28,8 @@ void walk_groups(gpu::Recorder& recorder, const In& in, const objects::Hierarchy
     uint32_t first_group, group_count, use_interval, box_counter, first_account;
   } push{groups.first, groups.count, in.options.interval, in.counter_row + shared::counter_box_tests,
          in.account.first(shared::tests_object, 2)};
-  recorder.dispatch(in.account.kernel(std::string("traversal/group_walk") + build_for(recorder.device()) + "@" + in.options.bound), groups.count, push,
+  const std::string alone = gpu::may_cluster(recorder.device(), cluster) ? "" : "-alone";
+  recorder.dispatch(in.account.kernel("traversal/group_walk" + alone + "@" + in.options.bound), groups.count, push,
                     {level.nodes, level.intervals, objects.box_low, objects.box_high, frontiers, in.counters,
                      in.account.buffer_or(in.counters)},
                     groups.count * usual_tests);
