@@ -64,6 +64,7 @@ const char* missing_feature(VkPhysicalDevice physical) {
   if (!v12.scalarBlockLayout) return "it has no scalar block layout";
   if (!v13.synchronization2) return "it has no synchronization2";
   if (!v13.dynamicRendering) return "it has no dynamic rendering";
+  if (!v13.computeFullSubgroups) return "it has no full subgroups";
   if (!can(physical, VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
     return "it has no 32-bit depth";
   return nullptr;

@@ -65,6 +65,7 @@ void Device::create_device() {
   VkPhysicalDeviceVulkan13Features v13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
   v13.synchronization2 = VK_TRUE;
   v13.dynamicRendering = VK_TRUE;
+  v13.computeFullSubgroups = VK_TRUE;
   VkPhysicalDeviceVulkan12Features v12{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
   v12.pNext = &v13;
   v12.scalarBlockLayout = VK_TRUE;

@@ -34,6 +34,10 @@ uint32_t specialised(const Kernel& kernel, uint32_t constant_id, uint32_t otherw
   return otherwise;
 }
 
+uint32_t group_width(const Kernel& kernel, const Reflection& reflection) {
+  return specialised(kernel, reflection.local_size_id[0], reflection.local_size[0]);
+}
+
 uint32_t count_group(const Kernel& kernel, const Reflection& reflection) {
   uint32_t size = 1;
   for (int i = 0; i < 3; ++i) size *= specialised(kernel, reflection.local_size_id[i], reflection.local_size[i]);
@@ -94,6 +98,8 @@ Program::Program(Device& device, const Kernel& kernel)
   VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
   info.stage.pSpecializationInfo = &constants;
+  if (reflection_.tells_lanes_apart && group_width(kernel, reflection_) % device.info().subgroup_size == 0)
+    info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
   info.layout = layout_.handle();
   const std::string doing = "compiling " + name_;
   check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_), doing.c_str());

@@ -46,6 +46,7 @@ struct Reflection {
   /// The constant_id behind each local size (layout(local_size_x_id = 0)), or no_constant.
   uint32_t local_size_id[3] = {no_constant, no_constant, no_constant};
   static constexpr uint32_t no_constant = UINT32_MAX;
+  bool tells_lanes_apart = false;  ///< it reads gl_SubgroupID or gl_SubgroupInvocationID
 };
 [[nodiscard]] Reflection reflect(std::span<const uint32_t> spirv);
 /// Of modules that share set 0 and the push block, as a vertex and a fragment shader do.
@@ -70,7 +71,7 @@ class PipelineLayout {
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
 };
 
-/// A compute pipeline with its layout.
+/// A compute pipeline with its layout. Where the shader tells lanes apart and subgroups divide its workgroup, they are full.
 class Program {
  public:
   Program(Device& device, const Kernel& kernel);

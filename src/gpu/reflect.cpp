@@ -46,6 +46,7 @@ struct Module {
   std::map<uint32_t, std::vector<MemberLayout>> members;
   std::array<uint32_t, 3> local_size = {1, 1, 1};
   uint32_t workgroup_size = 0;  ///< id of the constant that replaces local_size, if any
+  bool tells_lanes_apart = false;
 
   [[nodiscard]] const Definition& at(uint32_t id) const { return definitions.at(id); }
 };
@@ -60,6 +61,8 @@ void decorate(Module& module, std::span<const uint32_t> operands) {
     case SpvDecorationBufferBlock: module.buffer_block[id] = true; break;
     case SpvDecorationBuiltIn:
       if (operands[2] == SpvBuiltInWorkgroupSize) module.workgroup_size = id;
+      if (operands[2] == SpvBuiltInSubgroupId || operands[2] == SpvBuiltInSubgroupLocalInvocationId)
+        module.tells_lanes_apart = true;
       break;
     default: break;
   }
@@ -193,6 +196,7 @@ Reflection reflect_all(std::span<const std::span<const uint32_t>> modules) {
     const Module module = parse(spirv);
     for (const uint32_t id : module.variables) add_variable(module, id, resources, reflection.push_bytes);
     set_local_size(module, reflection);
+    reflection.tells_lanes_apart |= module.tells_lanes_apart;
   }
   for (const auto& [binding, resource] : resources) {
     require(binding == reflection.resources.size(), "bindings must count from 0 without gaps");

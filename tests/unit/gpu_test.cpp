@@ -171,6 +171,15 @@ TEST_CASE("the reflection of a shader has its bindings, push block and workgroup
   CHECK(reflection.local_size_id[0] == Reflection::no_constant);
 }
 
+TEST_CASE("kernels with clusters of lanes tell lanes apart, so that their subgroups are full; others do not") {
+  for (const std::string_view file : embedded_files()) {
+    if (!file.starts_with("traversal/group_walk") && !file.starts_with("intersection/node_walk")) continue;
+    CAPTURE(file);
+    CHECK(reflect(embedded_spirv(file)).tells_lanes_apart == (file.find("-alone") == file.npos));
+  }
+  CHECK(!reflect(embedded_spirv("primitives/iota.comp")).tells_lanes_apart);
+}
+
 TEST_CASE("images of every format can be made and bound") {
   const uint64_t before = test::device().allocated_bytes();
   {
