@@ -56,6 +56,8 @@ void check_distinct(const RenderCommand& command) {
 void check_view(const ViewOption& view, const std::string& camera) {
   if (!camera.empty() && (view.eye || view.target))
     misuse("--camera is one of the file's, --eye and --target your own: give one");
+  if (view.fov_degrees && view.orthographic_height)
+    misuse("--fov is of perspective, --orthographic of parallel lines: give one");
   if (view.eye && view.target && *view.eye == *view.target) misuse("--eye and --target are the same point");
 }
 

@@ -111,6 +111,15 @@ Option fov_row(std::optional<float>& degrees) {
           .pixels = true};
 }
 
+Option orthographic_row(std::optional<float>& height) {
+  return {.names = "--orthographic",
+          .value = "METRES",
+          .help = "Look along parallel lines, at so many metres from the picture's lower edge to its upper one.",
+          .set = [&height](const std::string& text) { height = parse_real(text, 1e-6f, 1e9f); },
+          .get = [&height] { return height ? json_of(*height) : Json(); },
+          .pixels = true};
+}
+
 Option up_row(glm::vec3& up) {
   return {.names = "--up", .value = "X,Y,Z", .help = "What is up in the picture.",
           .set = [&up](const std::string& text) {
@@ -168,7 +177,8 @@ OptionGroup scene_options(RenderOptions& options) {
                                        text("--camera", "INDEX|NAME", "Which of the file's cameras.", options.camera))),
            vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
            vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
-           fov_row(options.view.fov_degrees), light_row(options.lights), hide_row(options.hidden)}};
+           fov_row(options.view.fov_degrees), orthographic_row(options.view.orthographic_height),
+           light_row(options.lights), hide_row(options.hidden)}};
 }
 
 FrameRange parse_frames(const std::string& text) {

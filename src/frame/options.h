@@ -21,12 +21,13 @@ struct LightOption {
   std::optional<float> candela;  ///< none: π·d² ÷ number of such lights
 };
 
-/// --eye --target --up --fov
+/// --eye --target --up --fov --orthographic
 struct ViewOption {
   bool operator==(const ViewOption&) const = default;
   std::optional<glm::vec3> eye, target;
   glm::vec3 up{0, 1, 0};
-  std::optional<float> fov_degrees;  ///< vertical
+  std::optional<float> fov_degrees;          ///< vertical
+  std::optional<float> orthographic_height;  ///< of the image, metres: rays are parallel
 };
 
 enum class RayOrder { scanline, tiles };

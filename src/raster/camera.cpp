@@ -128,6 +128,8 @@ CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const
   } else {
     see_scene(view, options.view, extent, aspect);
   }
+  if (options.view.orthographic_height)
+    view.orthographic = true, view.half_height = *options.view.orthographic_height / 2;
   view.half_width = view.half_height * aspect;
   view.far_plane = std::max(view.near_plane, glm::distance(view.eye, extent.centre) + 2 * extent.radius) * 1.01f + 1e-6f;
   return view;

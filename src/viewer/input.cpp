@@ -31,8 +31,7 @@ void set_pivot(Model& model, glm::vec2 place) {
   model.begin_own_view();
   const auto hidden = scene::hidden_instances(*model.scene(), model.command.options.hidden);
   const scene::Pose pose = model.scene()->pose(model.seconds, model.animation());
-  const auto point =
-      pick(*model.scene(), pose, hidden, model.camera.eye(), model.camera.direction(place, model.aspect()));
+  const auto point = pick(*model.scene(), pose, hidden, model.camera.sight(place, model.aspect()));
   if (!point) return;
   model.camera.look_at(*point);
   model.view_moved();
@@ -105,6 +104,8 @@ void Input::handle_key(Model& model, const KeyPress& press, std::vector<Action>&
     case GLFW_KEY_KP_3: return look_from(model, right_angle, 0);
     case '7':
     case GLFW_KEY_KP_7: return look_from(model, 0, right_angle);
+    case '5':
+    case GLFW_KEY_KP_5: return model.change_projection();
     case GLFW_KEY_TAB: return model.next_camera(), model.view_moved();
     case GLFW_KEY_SPACE: return void(model.playing = model.animation() && !model.playing);
     case 'H': return void(model.keys_help = !model.keys_help);

@@ -140,6 +140,14 @@ void Model::frame_all() {
   view_moved();
 }
 
+void Model::change_projection() {
+  begin_own_view();
+  if (!scene()) return;
+  camera.change_projection(scene()->bounds(scene()->pose(seconds, animation())));
+  say(camera.orthographic ? "orthographic" : "perspective");
+  view_moved();
+}
+
 bool Model::fine() const {
   const auto is_fine = [this](const ShownPtr& shown) { return shown && shown->fine && shown->wish == wish_number; };
   return !wish_moves && is_fine(left.shown) && (!two_pictures() || is_fine(news.right));

@@ -81,6 +81,7 @@ struct Model {
   void view_moved();
   void next_camera();
   void frame_all();
+  void change_projection();
   /// What is shown is what is asked for, in full resolution. `rests`: or nothing more will come.
   [[nodiscard]] bool fine() const;
   [[nodiscard]] bool rests() const;

@@ -25,6 +25,7 @@ constexpr KeyRow key_rows[] = {
     {"double click", "turn around what is there"},
     {"Enter", "see the whole scene"},
     {"1  3  7", "from the front, right, top"},
+    {"5", "perspective or orthographic"},
     {"Tab", "the file's next camera"},
     {"Space", "play or stop the animation"},
     {"F12, Shift+F12", "save a PNG, an EXR with layers"},

@@ -6,11 +6,7 @@
 namespace crsh::viewer {
 namespace {
 
-struct Ray {
-  glm::vec3 origin, direction;
-};
-
-bool meets(const scene::Sphere& sphere, const Ray& ray) {
+bool meets(const scene::Sphere& sphere, const Sight& ray) {
   const glm::vec3 to = sphere.centre - ray.origin;
   const float along = glm::dot(to, ray.direction) / glm::dot(ray.direction, ray.direction);
   const glm::vec3 off = to - ray.direction * along;
@@ -18,7 +14,7 @@ bool meets(const scene::Sphere& sphere, const Ray& ray) {
 }
 
 /// Möller and Trumbore 1997; infinity for a miss.
-float distance_to(const Ray& ray, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+float distance_to(const Sight& ray, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   constexpr float nothing = std::numeric_limits<float>::infinity();
   const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
   const float determinant = glm::dot(ab, p);
@@ -32,18 +28,19 @@ float distance_to(const Ray& ray, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
 }  // namespace
 
 std::optional<glm::vec3> pick(const scene::Scene& scene, const scene::Pose& pose, const std::vector<bool>& hidden,
-                              glm::vec3 origin, glm::vec3 direction) {
+                              const Sight& sight) {
   float nearest = std::numeric_limits<float>::infinity();
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     const glm::mat4 inverse = glm::inverse(pose.instances[i]);  // not finite where it is flat: then nothing is met
-    const Ray ray{glm::vec3(inverse * glm::vec4(origin, 1)), glm::vec3(inverse * glm::vec4(direction, 0))};
+    const Sight ray{glm::vec3(inverse * glm::vec4(sight.origin, 1)),
+                    glm::vec3(inverse * glm::vec4(sight.direction, 0))};
     if (hidden[i] || !meets(mesh.sphere, ray)) continue;
     for (const glm::uvec3& t : mesh.triangles)
       nearest = std::min(nearest, distance_to(ray, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
   }
   if (!std::isfinite(nearest)) return {};
-  return origin + direction * nearest;
+  return sight.origin + sight.direction * nearest;
 }
 
 }  // namespace crsh::viewer

@@ -1,16 +1,17 @@
 #pragma once
-// What a ray from the eye meets first, found on the CPU: for a click, not for pictures.
+// What a line of sight meets first, found on the CPU: for a click, not for pictures.
 
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
 #include "scene/scene.h"
+#include "viewer/camera.h"
 
 namespace crsh::viewer {
 
-/// The point, in metres, of the first triangle that the ray meets; instances with `hidden` are not there.
+/// The point, in metres, of the first triangle in sight; instances with `hidden` are not there.
 [[nodiscard]] std::optional<glm::vec3> pick(const scene::Scene& scene, const scene::Pose& pose,
-                                            const std::vector<bool>& hidden, glm::vec3 origin, glm::vec3 direction);
+                                            const std::vector<bool>& hidden, const Sight& sight);
 
 }  // namespace crsh::viewer

@@ -84,6 +84,7 @@ TEST_CASE("outputs that do not go together are wrong usage") {
   check_misuse({"render", "a.glb", "-o", "{frame}.png", "--frames", "0..2", "--time", "1"}, "give one");
   check_misuse({"render", "a.glb", "-o", "a.png", "--eye", "1,1,1", "--target", "1,1,1"}, "the same point");
   check_misuse({"render", "a.glb", "-o", "a.png", "--eye", "1,1,1", "--camera", "0"}, "give one");
+  check_misuse({"render", "a.glb", "-o", "a.png", "--fov", "40", "--orthographic", "2"}, "give one");
 }
 
 TEST_CASE("a place that cannot be written to is known before the scene is looked at") {

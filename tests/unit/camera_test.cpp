@@ -81,6 +81,24 @@ TEST_CASE("an orthographic camera's extent is its ymag") {
   CHECK(view.far_plane > 12);
 }
 
+TEST_CASE("--orthographic makes the lines of any camera parallel, and says how high its image is") {
+  RenderOptions options = looking({1, 1, 10}, {1, 1, 0}, 60);
+  options.view.fov_degrees.reset();
+  options.view.orthographic_height = 3.0f;
+  const CameraView own = camera_view({}, {}, options, box, {200, 100});
+  CHECK(glm::distance(glm::vec2(ndc(own, {4, 2.5f, 3})), glm::vec2(1, 0)) < 1e-5f);
+  CHECK(glm::distance(glm::vec2(ndc(own, {-2, -0.5f, -2})), glm::vec2(0, 1)) < 1e-5f);
+  CHECK(own.far_plane > 12);
+
+  scene::Scene scene;
+  scene.cameras.resize(1);
+  scene::Pose pose;
+  pose.cameras = {glm::translate(glm::mat4(1), glm::vec3(0, 0, 10))};
+  options.view.eye.reset(), options.view.target.reset();
+  const CameraView of_file = camera_view(scene, pose, options, box, {200, 100});
+  CHECK(glm::distance(glm::vec2(ndc(of_file, {3, 1.5f, 0})), glm::vec2(1, 0)) < 1e-5f);
+}
+
 TEST_CASE("without a camera the whole scene is in the image, whatever its aspect") {
   for (const raster::ImageSize size : {raster::ImageSize{512, 512}, {900, 200}, {100, 700}}) {
     const CameraView view = camera_view({}, {}, {}, box, size);

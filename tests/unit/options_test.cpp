@@ -133,6 +133,7 @@ TEST_CASE("a wrong value is wrong usage: one line with the option, the value and
                                                                   {"--fov", "nan"},
                                                                   {"--fov", "180"},
                                                                   {"--fov", "0"},
+                                                                  {"--orthographic", "0"},
                                                                   {"--exposure", "inf"},
                                                                   {"--exposure", "1e99"},
                                                                   {"--exposure", "1x"},

@@ -29,7 +29,7 @@ void check_near(glm::vec3 a, glm::vec3 b) {
 /// Where a point of the world is in the image, -1..1.
 glm::vec2 image_of(const OrbitCamera& c, glm::vec3 point) {
   const glm::vec3 from = point - c.eye();
-  const float depth = -glm::dot(from, c.back());
+  const float depth = c.orthographic ? c.distance : -glm::dot(from, c.back());
   return glm::vec2(glm::dot(from, c.right()) / aspect, glm::dot(from, c.up())) / (depth * c.half_height);
 }
 
@@ -54,11 +54,18 @@ TEST_CASE("an orbit stops above and below") {
 TEST_CASE("a zoom keeps what is under the cursor") {
   OrbitCamera c = camera();
   const glm::vec2 place(0.5f, -0.25f);
-  const glm::vec3 direction = c.direction(place, aspect);
-  const glm::vec3 point = c.eye() + direction * (c.distance / -glm::dot(direction, c.back()));  // in the pivot's plane
-  c.zoom(0.5f, place, aspect);
-  CHECK(c.distance == doctest::Approx(2.5f));
-  CHECK(glm::distance(image_of(c, point), place) < 1e-4f);
+  for (const bool orthographic : {false, true}) {
+    c = camera();
+    c.orthographic = orthographic;
+    const Sight sight = c.sight(place, aspect);
+    const glm::vec3 point = sight.origin + sight.direction * (glm::dot(sight.origin - c.pivot, c.back()) /
+                                                              -glm::dot(sight.direction, c.back()));
+    const glm::vec3 eye = c.eye();
+    c.zoom(0.5f, place, aspect);
+    CHECK(c.distance == doctest::Approx(2.5f));
+    CHECK(glm::distance(image_of(c, point), place) < 1e-4f);
+    if (orthographic) CHECK(glm::dot(c.eye() - eye, c.back()) == doctest::Approx(0));  // nothing is cut off by it
+  }
 }
 
 TEST_CASE("a pan moves the pivot's plane with the cursor") {
@@ -112,6 +119,82 @@ TEST_CASE("taking over a camera shows what it showed") {
   check_near(-c.back(), view.forward);
   check_near(c.right(), view.right);
   CHECK(c.half_height == 0.7f);
+}
+
+/// A camera of a file, turned about its line of sight.
+raster::CameraView rolled_view(float roll) {
+  raster::CameraView view;
+  view.eye = {3, 4, 5};
+  view.forward = glm::normalize(glm::vec3(-1, -0.5f, -2));
+  const glm::vec3 level = glm::normalize(glm::cross(view.forward, glm::vec3(0, 1, 0)));
+  view.right = level * std::cos(roll) + glm::cross(level, view.forward) * std::sin(roll);
+  view.up = glm::cross(view.right, view.forward);
+  return view;
+}
+
+TEST_CASE("taking over a tilted camera keeps the tilt, in the options too, and drags go with the picture") {
+  for (const float roll : {-2.0f, 0.3f, 3.0f}) {
+    const raster::CameraView view = rolled_view(roll);
+    OrbitCamera c = orbit_of(view, 2, {0, 1, 0});
+    check_near(c.right(), view.right);
+    check_near(c.up(), view.up);
+    RenderOptions options;
+    options.view = c.view();
+    const raster::CameraView again = raster::camera_view({}, {}, options, {}, {300, 200});
+    check_near(again.right, view.right);
+    check_near(again.up, view.up);
+    const glm::vec3 point = c.pivot + c.back() * 0.1f;  // nearer than the pivot: it follows the cursor
+    c.orbit({0.01f, 0});
+    const glm::vec2 moved = image_of(c, point);
+    CHECK(moved.x > 0);
+    CHECK(std::abs(moved.y) < 0.3f * moved.x);  // a turntable turns about what is upright, not about the picture's up
+    c.turn_to(0, 0);
+    check_near(c.up(), {0, 1, 0});
+  }
+}
+
+TEST_CASE("taking over an orthographic camera shows what it showed, in the options too") {
+  raster::CameraView view = rolled_view(0);
+  view.orthographic = true;
+  view.half_height = 0.75f;
+  const OrbitCamera c = orbit_of(view, 4, {0, 1, 0});
+  RenderOptions options;
+  options.view = c.view();
+  const raster::CameraView again = raster::camera_view({}, {}, options, {}, {300, 200});
+  CHECK(again.orthographic);
+  CHECK(again.half_height == doctest::Approx(0.75f));
+  CHECK(again.half_width == doctest::Approx(0.75f * aspect));
+  check_near(again.eye, view.eye);
+  check_near(again.right, view.right);
+}
+
+TEST_CASE("a change of projection keeps the pivot's plane, and begins before the whole scene") {
+  const scene::Bounds bounds{{-10, -10, -10}, {10, 10, 10}};
+  OrbitCamera c = camera();
+  const glm::vec3 eye = c.eye(), point = c.pivot + c.up() * 0.5f - c.right() * 0.25f;
+  const glm::vec2 before = image_of(c, point);
+  c.change_projection(bounds);
+  CHECK(c.orthographic);
+  CHECK(glm::distance(image_of(c, point), before) < 1e-4f);
+  for (int corner = 0; corner < 8; ++corner)
+    CHECK(glm::dot(glm::vec3(corner & 1 ? 10 : -10, corner & 2 ? 10 : -10, corner & 4 ? 10 : -10) - c.eye(),
+                   c.back()) <= 0);
+  c.change_projection(bounds);
+  check_near(c.eye(), eye);
+}
+
+TEST_CASE("an orthographic camera sees all of a framed scene, and what is double clicked comes to the middle") {
+  OrbitCamera c = camera();
+  c.change_projection({});
+  c.frame({{-1, -1, -1}, {3, 2, 1}}, aspect);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec2 place = image_of(c, glm::vec3(corner & 1 ? 3 : -1, corner & 2 ? 2 : -1, corner & 4 ? 1 : -1));
+    CHECK(std::max(std::abs(place.x), std::abs(place.y)) < 1);
+  }
+  const glm::vec3 back = c.back(), point = c.pivot + c.up() * 0.5f;
+  c.look_at(point);
+  check_near(c.back(), back);
+  CHECK(glm::length(image_of(c, point)) < 1e-4f);
 }
 
 TEST_CASE("the pace keeps to the budget where it can, and does not flicker") {

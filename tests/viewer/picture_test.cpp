@@ -52,8 +52,9 @@ TEST_CASE("so is one of an animation at another time") {
   check_same(test::moving, "resize 300 200\nwait\nkey Space\nframes 20\nkey Space\nframes 40\nwait\n");
 }
 
-TEST_CASE("so is one from the file's camera, framed, from above and flown") {
-  for (const std::string keys : {"key Tab\n", "key Enter\n", "key 7\n", "key 3\nhold W 5\n"})
+TEST_CASE("so is one from the file's camera, framed, from above, flown and orthographic") {
+  for (const std::string keys : {"key Tab\n", "key Enter\n", "key 7\n", "key 3\nhold W 5\n", "key 5\n",
+                                 "key 5\nkey 3\nhold W 5\ndouble 150 90\n"})
     check_same(cornell, "resize 260 180\nwait\n" + keys + "frames 3\nwait\n");
 }
 
