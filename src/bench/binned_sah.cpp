@@ -109,7 +109,7 @@ void SahBox::include(const SahBox& other) {
 double binned_sah_cost(std::vector<SahBox> boxes) { return BinnedBuild(std::move(boxes)).run(); }
 
 std::vector<SahBox> world_boxes(const scene::Scene& scene, const Variant& variant) {
-  const scene::Pose pose = scene.pose(variant.seconds, scene.find_animation(variant.options.animation));
+  const scene::Pose pose = scene.pose(variant.seconds.back(), scene.find_animation(variant.options.animation));
   std::vector<SahBox> boxes;
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];

@@ -26,7 +26,7 @@ Json run_json(const Description& description, const SceneResults& scene, const R
                                    .samples = result.variant.options.samples,
                                    .algorithm = result.variant.options.algorithm.preset};
   const bool traced = result.counted_from.empty();
-  Json json = output::stats_json(run, times(result.counters, traced ? result.counters.frames.size() : 1));
+  Json json = output::stats_json(run, times(result.counters, traced ? result.passes() : 1));
   json["bench"] = {{"scene", scene.name},
                    {"label", result.variant.label},
                    {"vary", result.variant.vary},

@@ -21,12 +21,12 @@ struct Description {
 };
 
 /// {"schema": "crsh-bench/1", "runs": [..]}: a run is what `crsh render --stats` says of its timed frames (schema
-/// crsh-stats/1; of one frame where brute force was counted), and "bench": label, what varies, whether it was traced, and when each frame's turn was.
+/// crsh-stats/1; of one pass where brute force was counted), and "bench": label, what varies, whether it was traced, and when each frame's turn was.
 [[nodiscard]] nlohmann::ordered_json bench_json(const Description& description,
                                                 const std::vector<SceneResults>& scenes);
 
 /// A row a scene, variant, ray kind and bounce, and one with the kind "all", which alone has times. Counters are of one
-/// frame, times medians in milliseconds.
+/// pass, times medians in milliseconds.
 [[nodiscard]] std::string bench_csv(const std::vector<SceneResults>& scenes);
 
 }  // namespace crsh::bench

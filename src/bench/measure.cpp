@@ -30,11 +30,16 @@ class Work {
   size_t frames_, done_ = 0;
 };
 
-/// Renders a frame and returns what it alone counted.
-Statistics frame_of(Renderer& renderer, const Variant& variant, Work& work, Picture& picture) {
-  const Statistics before = renderer.statistics();
-  picture = renderer.render(variant.seconds, [&](double share) { work.show(share); });
+Picture frame_at(Renderer& renderer, double seconds, Work& work) {
+  Picture picture = renderer.render(seconds, [&](double share) { work.show(share); });
   work.next();
+  return picture;
+}
+
+/// Renders a pass and returns what it alone counted, and its last picture.
+Statistics pass_of(Renderer& renderer, const Variant& variant, Work& work, Picture& picture) {
+  const Statistics before = renderer.statistics();
+  for (const double seconds : variant.seconds) picture = frame_at(renderer, seconds, work);
   return difference(renderer.statistics(), before);
 }
 
@@ -43,22 +48,21 @@ void take_picture(gpu::Device& device, const scene::Scene& scene, const Schedule
   RenderOptions options = result.variant.options;
   options.layers = {LayerId::beauty, LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests};
   Renderer renderer(device, scene, options);
-  Picture picture;
-  (void)frame_of(renderer, result.variant, work, picture);
+  const Picture picture = frame_at(renderer, result.variant.seconds.front(), work);
   const Layer& beauty = *picture.find("");
   const double stops = schedule.exposure ? double(*schedule.exposure) : output::automatic_exposure(beauty);
   result.picture_png = output::encode_png(beauty, picture.width, picture.height, stops);
   result.heat = output::tests_of(picture);
 }
 
-/// The first frame, alone on the device: its counters and its memory, and what was effective.
+/// The first pass, alone on the device: its counters and its memory, and what was effective.
 void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& work) {
   RenderOptions options = result.variant.options;
   options.layers = {};
   device.forget_peak();
   Renderer renderer(device, scene, options);
   Picture picture;
-  result.counters = frame_of(renderer, result.variant, work, picture);
+  result.counters = pass_of(renderer, result.variant, work, picture);
   result.variant.options = renderer.options();
   result.first_frame = result.counters.frames.front();
   result.counters.frames.clear();
@@ -111,7 +115,9 @@ class Measurement {
 
  private:
   static size_t frames(const std::vector<Variant>& variants, const Schedule& schedule) {
-    return variants.size() * (1 + schedule.warmup + schedule.repeat + (schedule.pictures ? 1 : 0));
+    size_t sum = schedule.pictures ? variants.size() : 0;
+    for (const Variant& variant : variants) sum += variant.seconds.size() * (1 + schedule.warmup + schedule.repeat);
+    return sum;
   }
 
   void look_and_take(Result& result) {
@@ -125,12 +131,12 @@ class Measurement {
     };
     const auto found = std::ranges::find_if(results_, same);
     const Result from = found != results_.end() ? *found : count_rays(device_, scene_, result.variant, work_);
-    const uint64_t frames = 1 + schedule_.warmup + schedule_.repeat + (schedule_.pictures ? 1 : 0);
-    if (brute_force_tests(from.counters) > most_brute_force_tests / frames) return count_brute_force(from, result);
+    const uint64_t passes = 1 + schedule_.warmup + schedule_.repeat + (schedule_.pictures ? 1 : 0);
+    if (brute_force_tests(from.counters) > most_brute_force_tests / passes) return count_brute_force(from, result);
     look_and_take(result);
   }
 
-  /// A, B, C, A, B, C, ...: a round is a frame of each.
+  /// A, B, C, A, B, C, ...: a round is a pass of each.
   void repeat() {
     const uint32_t rounds = schedule_.warmup + schedule_.repeat;
     const bool resident = rounds && fit_together();
@@ -140,8 +146,8 @@ class Measurement {
     uint32_t place = 0;
     for (uint32_t round = 0; round < rounds; ++round)
       for (size_t i = 0; i < results_.size(); ++i)
-        if (!is_traced(results_[i])) work_.next();
-        else if (resident) time(*renderers[i], results_[i], round >= schedule_.warmup, place);
+        if (!is_traced(results_[i])) skip(results_[i]);
+        else if (resident) time_again(*renderers[i], results_[i], round >= schedule_.warmup, place);
         else time_alone(results_[i], round >= schedule_.warmup, place);
   }
 
@@ -161,22 +167,41 @@ class Measurement {
     return std::make_unique<Renderer>(device_, scene_, options);
   }
 
-  /// With its first frame, in which lists grow and hierarchies are built, left out.
+  void skip(const Result& result) {
+    for (size_t frame = 0; frame < result.variant.seconds.size(); ++frame) work_.next();
+  }
+
+  /// Lists grow and hierarchies are built in a first frame, which is left out.
+  void begin(Renderer& renderer, const Result& result) {
+    (void)renderer.render(result.variant.seconds.front(), [&](double) { work_.show(0); });
+  }
+
   void time_alone(Result& result, bool counted, uint32_t& place) {
     const auto renderer = renderer_of(result);
-    (void)renderer->render(result.variant.seconds, [&](double) { work_.show(0); });
+    begin(*renderer, result);
     time(*renderer, result, counted, place);
+  }
+
+  /// Where objects move, their hierarchy depends on the frames before: each pass begins with one that is new.
+  void time_again(Renderer& renderer, Result& result, bool counted, uint32_t& place) {
+    if (result.variant.seconds.size() > 1) {
+      renderer.forget_objects();
+      begin(renderer, result);
+    }
+    time(renderer, result, counted, place);
   }
 
   void time(Renderer& renderer, Result& result, bool counted, uint32_t& place) {
     Picture picture;
-    const Statistics frame = frame_of(renderer, result.variant, work_, picture);
-    if (const std::string what = first_difference(frame, result.counters); !what.empty())
+    const Statistics pass = pass_of(renderer, result.variant, work_, picture);
+    if (const std::string what = first_difference(pass, result.counters); !what.empty())
       throw std::logic_error(
-          fmt::format("{}: two frames of one scene counted differently: {}", result.variant.label, what));
+          fmt::format("{}: two passes over one scene counted differently: {}", result.variant.label, what));
     if (!counted) return;
-    result.counters.frames.push_back(frame.frames.back());
-    result.places.push_back(place++);
+    for (const FrameTime& frame : pass.frames) {
+      result.counters.frames.push_back(frame);
+      result.places.push_back(place++);
+    }
   }
 
   gpu::Device& device_;

@@ -1,5 +1,5 @@
 #pragma once
-// Renders the same picture in several ways, in turn, so that whatever slows the machine down slows all of them.
+// Renders the same pictures in several ways, in turn, so that whatever slows the machine down slows all of them.
 
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -20,24 +20,28 @@ struct Variant {
   nlohmann::ordered_json vary = nlohmann::ordered_json::object();  ///< what differs from the preset: {"arity": "4"}
   std::string rays;                                                ///< variants with the same text cast the same rays
   RenderOptions options;
-  double seconds = 0;  ///< of the scene's animation
+  std::vector<double> seconds = {0};                               ///< of the scene's animation: the frames of a pass
+  nlohmann::ordered_json when = nlohmann::ordered_json::object();  ///< the options that say so
 };
 
-/// What a variant took. The counters are those of one frame: all frames have the same.
+/// What a variant took. The counters are those of one pass: all passes have the same.
 struct Result {
   Variant variant;               ///< with the effective options
-  Statistics counters;           ///< of one frame; `frames` are the timed ones, without warm-up
+  Statistics counters;           ///< of one pass; `frames` are the timed ones, without warm-up
   FrameTime first_frame;         ///< of all, in which an object hierarchy is built
   std::vector<uint32_t> places;  ///< of each timed frame in the sequence of all variants' timed frames
   std::string counted_from;      ///< not empty: not traced; the rays are those that this preset cast
   glm::mat4 world_to_camera{1}, world_to_ndc{1};
   uint32_t width = 0, height = 0;
-  std::string picture_png;  ///< where pictures were asked for
-  std::vector<float> heat;  ///< tests a pixel, where pictures were asked for and rays were traced
+  std::string picture_png;  ///< of the first frame, where pictures were asked for
+  std::vector<float> heat;  ///< its tests a pixel, where pictures were asked for and rays were traced
+
+  /// Timed ones.
+  [[nodiscard]] uint64_t passes() const { return counters.frames.size() / variant.seconds.size(); }
 };
 
 struct Schedule {
-  uint32_t warmup = 3, repeat = 58;      ///< frames a variant
+  uint32_t warmup = 3, repeat = 58;      ///< passes a variant
   bool pictures = false;                 ///< one more frame each, with its picture and tests a pixel
   std::optional<float> exposure = 0.0f;  ///< of the picture, in stops; none: automatic
 };

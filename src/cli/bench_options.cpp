@@ -16,8 +16,7 @@ namespace {
 
 /// Options of `crsh render` that say where a picture goes, or what the bench has its own options for.
 bool is_render_only(const Option& option) {
-  static const std::vector<std::string> keys = {"output",      "layers", "stats", "dump-rays",
-                                                "replay-rays", "frames", "fps",   "algorithm"};
+  static const std::vector<std::string> keys = {"output", "layers", "stats", "dump-rays", "replay-rays", "algorithm"};
   return std::ranges::find(keys, option.key()) != keys.end();
 }
 
@@ -177,17 +176,19 @@ Option sweep_row(std::vector<bench::SweepKind>& sweeps) {
 }
 
 OptionGroup own_options(BenchCommand& command) {
-  return {
-      "Bench",
-      {algorithms_row(command.algorithms), vary_row(command.vary),
-       integer("--repeat", "N", "Timed frames of each, in turn with the others.", command.schedule.repeat, 1, 100000),
-       integer("--warmup", "N", "Frames of each that are rendered first and not timed.", command.schedule.warmup, 0,
-               100000),
-       count_row(command.count), ablate_row(command.ablate), sweep_row(command.sweeps),
-       text("--report", "FILE.html", "Write tables, charts and pictures as one page that needs no network.",
-            command.report),
-       text("--json", "FILE|-", "Write every run's statistics (schema crsh-bench/1).", command.json),
-       text("--csv", "FILE|-", "Write counters of a frame and median times as a table.", command.csv)}};
+  return {"Bench",
+          {algorithms_row(command.algorithms), vary_row(command.vary),
+           integer("--repeat", "N",
+                   "Timed frames of each, in turn with the others; with --frames so many times all of those.",
+                   command.schedule.repeat, 1, 100000),
+           integer("--warmup", "N", "As many more that are rendered first and not timed.", command.schedule.warmup, 0,
+                   100000),
+           count_row(command.count), ablate_row(command.ablate), sweep_row(command.sweeps),
+           text("--report", "FILE.html", "Write tables, charts and pictures as one page that needs no network.",
+                command.report),
+           text("--json", "FILE|-", "Write every run's statistics (schema crsh-bench/1).", command.json),
+           text("--csv", "FILE|-",
+                "Write counters of a frame, or of all --frames together, and median times as a table.", command.csv)}};
 }
 
 [[noreturn]] void misuse(const std::string& message) { throw UserError(message, Exit::usage); }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cli/bench_options.h"
+#include "cli/render_checks.h"
 #include "cli/values.h"
 
 namespace crsh::cli {
@@ -61,8 +62,13 @@ bench::Variant variant_of(const BenchCommand& command, const BenchScene& scene, 
     variant.vary[pick.key] = pick.value;
     if (!is_switch(pick.key)) variant.rays += fmt::format("{}={};", pick.key, pick.value);
   }
+  check_time(render);
+  check_view(render.options.view, render.options.camera);
   variant.options = render.options;
-  variant.seconds = frame_tasks(render).front().seconds;
+  variant.seconds.clear();
+  for (const FrameTask& task : frame_tasks(render)) variant.seconds.push_back(task.seconds);
+  const nlohmann::ordered_json values = effective_options(render_options(render));
+  for (const char* key : {"time", "frames", "fps"}) variant.when[key] = values.at(key);
   return variant;
 }
 
@@ -128,8 +134,9 @@ std::vector<bench::Variant> ablations_of(const BenchCommand& command, const Benc
 nlohmann::ordered_json effective_options(const BenchCommand& command, const bench::Variant& variant) {
   RenderCommand render = command.common;
   render.options = variant.options;
-  render.seconds = static_cast<float>(variant.seconds);
-  return effective_options(render_options(render));
+  nlohmann::ordered_json values = effective_options(render_options(render));
+  values.update(variant.when);
+  return values;
 }
 
 }  // namespace crsh::cli

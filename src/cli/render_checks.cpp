@@ -61,8 +61,12 @@ void check_view(const ViewOption& view, const std::string& camera) {
   if (view.eye && view.target && *view.eye == *view.target) misuse("--eye and --target are the same point");
 }
 
-void check_combinations(const RenderCommand& command) {
+void check_time(const RenderCommand& command) {
   if (command.seconds && command.frames) misuse("--time is for one picture, --frames for many: give one");
+}
+
+void check_combinations(const RenderCommand& command) {
+  check_time(command);
   check_view(command.options.view, command.options.camera);
   check_rays(command);
   check_outputs(command);

@@ -8,6 +8,9 @@ namespace crsh::cli {
 /// Throws UserError (wrong usage) where options do not go together.
 void check_combinations(const RenderCommand& command);
 
+/// Throws UserError (wrong usage) where one picture's time is given and many frames'.
+void check_time(const RenderCommand& command);
+
 /// Throws UserError (wrong usage) where options of the camera do not go together.
 void check_view(const ViewOption& view, const std::string& camera);
 

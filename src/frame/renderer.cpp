@@ -222,7 +222,9 @@ Picture Renderer::refine(double seconds, const Progress& progress) {
 
 void Renderer::change(const RenderOptions& options) { apply(*state_, options); }
 
-void Renderer::on_submit(std::function<void()> call) { 
+void Renderer::forget_objects() { state_->objects = {}; }
+
+void Renderer::on_submit(std::function<void()> call) {
   if (!call) return state_->recorder.on_submit({});
   state_->recorder.on_submit([this, call = std::move(call)] {
     if (!state_->placing) call();

@@ -39,6 +39,8 @@ class Renderer {
   /// Other options for the same scene, as if it were a new Renderer, but for --max-memory; statistics begin anew. Throws
   /// UserError, and then the old options stay.
   void change(const RenderOptions& options);
+  /// The next frame builds the object hierarchy, as if it were the first: later boxes depend on the frames before.
+  void forget_objects();
   /// Called before the device is given work; may throw to cancel render() and refine(), after which render() is right again.
   void on_submit(std::function<void()> call);
 

@@ -16,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 const std::string glass = CRSH_SOURCE_DIR "/scenes/glass.glb";
+const std::string moving = CRSH_SOURCE_DIR "/scenes/moving.glb";
 const std::string cornell = CRSH_SOURCE_DIR "/scenes/cornell.glb";
 
 test::Outcome bench(std::vector<std::string> options) {
@@ -73,6 +74,37 @@ TEST_CASE("frames of the algorithms take turns, and those for warming up are not
   const json result = bench_json({glass, "--repeat", "3", "--warmup", "2", "--algorithms", "rah,crsh"});
   CHECK(result["runs"][0]["bench"]["places"] == json({0, 2, 4}));
   CHECK(result["runs"][1]["bench"]["places"] == json({1, 3, 5}));
+}
+
+TEST_CASE("with --frames a pass is all of them, with the counters of crsh render, refits included") {
+  const std::vector<std::string> frames = {"--frames", "0..3", "--fps", "2"};
+  for (const std::string memory : {"2048", "8"}) {  // where all fit together, and one at a time
+    std::vector<std::string> options = {
+        moving, "--repeat", "2", "--warmup", "1", "--algorithms", "brute,crsh,bvh,crsh-bvh", "--max-memory", memory};
+    options.insert(options.end(), frames.begin(), frames.end());
+    const json result = bench_json(options);
+    uint64_t sum_of_peaks = 0;
+    for (const json& run : result["runs"]) {
+      sum_of_peaks += run["memory"]["device_peak_bytes"].get<uint64_t>();
+      const std::string algorithm = run["algorithm"];
+      CAPTURE(algorithm);
+      CHECK(run["options"]["frames"] == "0..3");
+      const test::TemporaryFolder folder;
+      std::vector<std::string> render = {
+          "render",      moving,    "-q",      "--size", "12x10", "--bounces",           "1",
+          "--algorithm", algorithm, "--stats", "-",      "-o",    folder / "{frame}.png"};
+      render.insert(render.end(), frames.begin(), frames.end());
+      const json once = json::parse(test::crsh(render).out);
+      const uint64_t passes = run["bench"]["traced"] ? 2 : 1;
+      for (const char* counter : {"count", "hits", "triangle_tests", "paper_tests", "total_tests"})
+        CHECK(sum(run, counter) == passes * sum(once, counter));
+      CHECK(run["object_hierarchy"]["refits"] == once["object_hierarchy"]["refits"]);
+      if (passes == 2) CHECK(run["frames"] == 8);
+    }
+    CHECK(sum_of_peaks > (8 << 20));  // else nothing is ever short
+    CHECK(result["runs"][3]["object_hierarchy"]["refits"] == 3);
+    CHECK(result["runs"][1]["bench"]["places"].size() == 8);
+  }
 }
 
 TEST_CASE("progress rises to the end, as JSON when asked") {
@@ -315,7 +347,9 @@ TEST_CASE("wrong usage of the bench is one line, before anything is rendered") {
   check_misuse({"a.glb", "--report", "a.txt"}, "a path that ends in .html");
   check_misuse({"a.glb", "--ablate", "brute"}, "brute has no switches");
   check_misuse({"a.glb", "--sweep", "cameras"}, "allowed is triangles, pixels, lights");
-  check_misuse({"a.glb", "--frames", "0..3"}, "--frames: no such option");
+  check_misuse({"a.glb", "--frames", "3..0"}, "the last frame comes before the first");
+  check_misuse({"a.glb", "--frames", "0..3", "--time", "1"}, "give one");
+  check_misuse({"a.glb", "--fov", "50", "--orthographic", "1"}, "give one");
   check_misuse({"a.glb --size 0x0"}, "'a.glb --size 0x0': --size 0x0");
   check_misuse({"a.glb --device 1"}, "--device: no such option");
   check_misuse({"none.glb", "-q"}, "none.glb", 1);
