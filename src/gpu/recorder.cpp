@@ -196,7 +196,7 @@ void Recorder::read_bytes(const Buffer& buffer, uint64_t offset, void* data, uin
   }
   copy(buffer, offset, staging_, 0, bytes);
   submit();
-  std::memcpy(data, staging_.mapped(), bytes);
+  if (bytes) std::memcpy(data, staging_.mapped(), bytes);  // nothing may have no place
 }
 
 }  // namespace crsh::gpu
