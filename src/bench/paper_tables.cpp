@@ -217,7 +217,9 @@ double frame_median(const Result& result) {
 }
 
 Table table_1(const std::vector<SceneResults>& scenes, const RayFilter& filter) {
-  Table table{.title = "Table 1: global rendering performance, intersection tests of one frame",
+  const auto is_film = [](const SceneResults& scene) { return scene.results.front().variant.seconds.size() > 1; };
+  const std::string_view frames = std::ranges::any_of(scenes, is_film) ? "all frames" : "one frame";
+  Table table{.title = fmt::format("Table 1: global rendering performance, intersection tests of {}", frames),
               .columns = {"ALGORITHM"}};
   for (const SceneResults& scene : scenes) {
     table.spans.push_back({upper(scene.name), 3});

@@ -30,7 +30,7 @@ using RayFilter = std::vector<CountedRays>;
 /// "RAH Algorithm", "Our Algorithm (crsh arity=4)": the paper's name for a variant.
 [[nodiscard]] std::string row_name(const Result& result);
 
-/// Tests of one frame, the paper's count and everything, in per cent of brute force.
+/// Tests of a pass, the paper's count and everything, in per cent of brute force.
 [[nodiscard]] Table table_1(const std::vector<SceneResults>& scenes, const RayFilter& filter);
 /// Tests, misses and hits of each kind of rays a level.
 [[nodiscard]] Table table_2(const SceneResults& scene, const RayFilter& filter);

@@ -103,7 +103,7 @@ void write_to(const std::string& path, const std::string& bytes, output::Progres
   progress.written(path);
 }
 
-/// Counters alone, of one frame each. What a preset does not allow is left out, and said.
+/// Counters alone, of one pass each. What a preset does not allow is left out, and said.
 bench::Table ablate(const BenchCommand& command, const std::string& algorithm, Stage& stage) {
   std::vector<bench::SceneResults> results;
   for (size_t i = 0; i < command.scenes.size(); ++i) {

@@ -107,6 +107,14 @@ TEST_CASE("with --frames a pass is all of them, with the counters of crsh render
   }
 }
 
+TEST_CASE("Table 1 says whether it counts one frame or all") {
+  const std::vector<std::string> quick = {moving, "--repeat", "1", "--warmup", "0", "--algorithms", "bvh"};
+  std::vector<std::string> film = quick;
+  film.insert(film.end(), {"--frames", "0..1"});
+  CHECK(bench(quick).out.find("tests of one frame\n") != std::string::npos);
+  CHECK(bench(film).out.find("tests of all frames\n") != std::string::npos);
+}
+
 TEST_CASE("progress rises to the end, as JSON when asked") {
   const test::Outcome outcome =
       test::crsh({"bench", glass, "--size", "12x10", "--bounces", "0", "--repeat", "2", "--warmup", "0", "--algorithms",
