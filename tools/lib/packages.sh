@@ -11,8 +11,12 @@ build_packages=(
   libglfw3-dev libimgui-dev doctest-dev
 )
 
-# What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display.
-test_packages=(vulkan-validationlayers libembree-dev python3-numpy openimageio-tools xvfb xauth openbox)
+# What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display, and
+# those who read completions, the manual page and makefiles.
+test_packages=(
+  vulkan-validationlayers libembree-dev python3-numpy openimageio-tools xvfb xauth openbox
+  zsh fish groff-base make
+)
 
 # Prints those of the packages that are not installed.
 missing_packages() {
