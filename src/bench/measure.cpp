@@ -23,7 +23,7 @@ class Work {
  public:
   Work(const Progress& progress, size_t frames) : progress_(progress), frames_(std::max<size_t>(frames, 1)) {}
   void show(double share) const { progress_ ? progress_((double(done_) + share) / double(frames_)) : void(); }
-  void next() { ++done_, show(0); }
+  void next(size_t frames = 1) { done_ += frames, show(0); }
 
  private:
   const Progress& progress_;
@@ -146,7 +146,7 @@ class Measurement {
     uint32_t place = 0;
     for (uint32_t round = 0; round < rounds; ++round)
       for (size_t i = 0; i < results_.size(); ++i)
-        if (!is_traced(results_[i])) skip(results_[i]);
+        if (!is_traced(results_[i])) work_.next(results_[i].variant.seconds.size());
         else if (resident) time_again(*renderers[i], results_[i], round >= schedule_.warmup, place);
         else time_alone(results_[i], round >= schedule_.warmup, place);
   }
@@ -165,10 +165,6 @@ class Measurement {
     RenderOptions options = result.variant.options;
     options.layers = {};
     return std::make_unique<Renderer>(device_, scene_, options);
-  }
-
-  void skip(const Result& result) {
-    for (size_t frame = 0; frame < result.variant.seconds.size(); ++frame) work_.next();
   }
 
   /// Lists grow and hierarchies are built in a first frame, which is left out.

@@ -34,13 +34,14 @@ uint32_t specialised(const Kernel& kernel, uint32_t constant_id, uint32_t otherw
   return otherwise;
 }
 
-uint32_t group_width(const Kernel& kernel, const Reflection& reflection) {
-  return specialised(kernel, reflection.local_size_id[0], reflection.local_size[0]);
+/// Invocations of a workgroup along an axis.
+uint32_t group_edge(const Kernel& kernel, const Reflection& reflection, int axis) {
+  return specialised(kernel, reflection.local_size_id[axis], reflection.local_size[axis]);
 }
 
 uint32_t count_group(const Kernel& kernel, const Reflection& reflection) {
   uint32_t size = 1;
-  for (int i = 0; i < 3; ++i) size *= specialised(kernel, reflection.local_size_id[i], reflection.local_size[i]);
+  for (int axis = 0; axis < 3; ++axis) size *= group_edge(kernel, reflection, axis);
   return size;
 }
 
@@ -98,7 +99,7 @@ Program::Program(Device& device, const Kernel& kernel)
   VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
   info.stage.pSpecializationInfo = &constants;
-  if (reflection_.tells_lanes_apart && group_width(kernel, reflection_) % device.info().subgroup_size == 0)
+  if (reflection_.tells_lanes_apart && group_edge(kernel, reflection_, 0) % device.info().subgroup_size == 0)
     info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
   info.layout = layout_.handle();
   const std::string doing = "compiling " + name_;

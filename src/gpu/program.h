@@ -71,7 +71,8 @@ class PipelineLayout {
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
 };
 
-/// A compute pipeline with its layout. Where the shader tells lanes apart and subgroups divide its workgroup, they are full.
+/// A compute pipeline with its layout. Where the shader tells lanes apart and subgroups divide its workgroup, they are
+/// full.
 class Program {
  public:
   Program(Device& device, const Kernel& kernel);

@@ -14,8 +14,8 @@ struct Sight {
   glm::vec3 origin, direction;
 };
 
-/// Looks at `pivot` from `distance` metres. Angles in radians; at 0 and 0 it stands at the front (+Z in glTF). Orthographic, it
-/// shows of the pivot's plane what it would in perspective, and stands apart.
+/// Looks at `pivot` from `distance` metres. Angles in radians; at 0 and 0 it stands at the front (+Z in glTF).
+/// Orthographic, it shows of the pivot's plane what it would in perspective, and stands apart.
 struct OrbitCamera {
   glm::vec3 pivot{0};
   float distance = 1, yaw = 0, pitch = 0;

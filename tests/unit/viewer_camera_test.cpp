@@ -52,10 +52,9 @@ TEST_CASE("an orbit stops above and below") {
 }
 
 TEST_CASE("a zoom keeps what is under the cursor") {
-  OrbitCamera c = camera();
   const glm::vec2 place(0.5f, -0.25f);
   for (const bool orthographic : {false, true}) {
-    c = camera();
+    OrbitCamera c = camera();
     c.orthographic = orthographic;
     const Sight sight = c.sight(place, aspect);
     const glm::vec3 point = sight.origin + sight.direction * (glm::dot(sight.origin - c.pivot, c.back()) /
