@@ -13,6 +13,6 @@ extern "C" const char* __lsan_default_options() { return "print_suppressions=0";
 // Freed memory stays unused only for so long: lavapipe frees megabytes at every timestamp, which took up 7 GB.
 extern "C" const char* __asan_default_options() { return "quarantine_size_mb=32"; }
 static const void* const kept[] = {dlopen("libVkLayer_khronos_validation.so", RTLD_LAZY | RTLD_NODELETE),
-                                  dlopen("libVkLayer_MESA_device_select.so", RTLD_LAZY | RTLD_NODELETE),
-                                  dlopen("libvulkan_lvp.so", RTLD_LAZY | RTLD_NODELETE)};
+                                   dlopen("libVkLayer_MESA_device_select.so", RTLD_LAZY | RTLD_NODELETE),
+                                   dlopen("libvulkan_lvp.so", RTLD_LAZY | RTLD_NODELETE)};
 #endif

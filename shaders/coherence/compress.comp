@@ -5,10 +5,10 @@
 #include "lib/invocation.glsl"
 
 layout(local_size_x = 64) in;
-layout(scalar, binding = 0) readonly buffer Pairs { uvec2 pairs[]; };        // key, ray
-layout(scalar, binding = 1) readonly buffer Bases { uint bases[]; };         // first ray of each chunk
-layout(scalar, binding = 2) writeonly buffer Chunks { uvec2 chunks[]; };     // key, chunk
-layout(scalar, binding = 3) writeonly buffer Sizes { uint sizes[]; };        // rays of each chunk
+layout(scalar, binding = 0) readonly buffer Pairs { uvec2 pairs[]; };     // key, ray
+layout(scalar, binding = 1) readonly buffer Bases { uint bases[]; };      // first ray of each chunk
+layout(scalar, binding = 2) writeonly buffer Chunks { uvec2 chunks[]; };  // key, chunk
+layout(scalar, binding = 3) writeonly buffer Sizes { uint sizes[]; };     // rays of each chunk
 layout(scalar, push_constant) uniform Push { uint chunk_count, ray_count; };
 
 void main() {

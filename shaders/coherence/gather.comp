@@ -6,7 +6,7 @@
 #include "shared/ray.h"
 
 layout(local_size_x = 64) in;
-layout(scalar, binding = 0) readonly buffer Rays { Ray rays[]; };     // in creation order
+layout(scalar, binding = 0) readonly buffer Rays { Ray rays[]; };  // in creation order
 layout(scalar, binding = 1) readonly buffer Order { uint order[]; };
 layout(scalar, binding = 2) writeonly buffer Sorted { Ray sorted[]; };
 layout(scalar, push_constant) uniform Push { uint count; };

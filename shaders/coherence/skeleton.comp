@@ -6,9 +6,9 @@
 #include "lib/invocation.glsl"
 
 layout(local_size_x = 64) in;
-layout(scalar, binding = 0) readonly buffer Sorted { uint sorted[]; };     // chunks in the order of their keys
-layout(scalar, binding = 1) readonly buffer Bases { uint bases[]; };       // by chunk
-layout(scalar, binding = 2) readonly buffer Sizes { uint sizes[]; };       // by chunk
+layout(scalar, binding = 0) readonly buffer Sorted { uint sorted[]; };  // chunks in the order of their keys
+layout(scalar, binding = 1) readonly buffer Bases { uint bases[]; };    // by chunk
+layout(scalar, binding = 2) readonly buffer Sizes { uint sizes[]; };    // by chunk
 layout(scalar, binding = 3) writeonly buffer Skeleton { uint skeleton[]; };
 layout(scalar, binding = 4) writeonly buffer SortedBases { uint sorted_bases[]; };
 layout(scalar, push_constant) uniform Push { uint chunk_count; };

@@ -1,8 +1,8 @@
 #version 460
 // Where nodes begin when they are cut (--nodes cut): where their coherence ends. A lane walks a run of children of one
-// segment and begins a node where the last one is full, and where the direction's octant changes, or the direction or the
-// origin is too far from those of the node's first ray. These are the head flags of section 3.2.3 for nodes instead of
-// chunks. A child that is a node itself is taken for its first ray.
+// segment and begins a node where the last one is full, and where the direction's octant changes, or the direction or
+// the origin is too far from those of the node's first ray. These are the head flags of section 3.2.3 for nodes instead
+// of chunks. A child that is a node itself is taken for its first ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 16) in;
@@ -14,14 +14,14 @@ layout(push_constant, scalar) uniform Push {
   uint first_child;  // of the segment
   uint children;
   uint arity;
-  uint rays_below;   // 1: children are rays themselves (level 1)
-  float chord;       // of the largest angle to the node's first ray
-  float reach;       // largest distance from its origin, metres
+  uint rays_below;  // 1: children are rays themselves (level 1)
+  float chord;      // of the largest angle to the node's first ray
+  float reach;      // largest distance from its origin, metres
 };
-layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };                // in sorted order
+layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };                  // in sorted order
 layout(binding = 1, scalar) readonly buffer RaysBelow { uvec2 rays_of_child[]; };  // level 1: not read
-layout(binding = 2, scalar) writeonly buffer Heads { uint heads[]; };            // 1: a node begins at this child
-layout(binding = 3, scalar) writeonly buffer Ends { uint ends[]; };              // where the node that begins here ends
+layout(binding = 2, scalar) writeonly buffer Heads { uint heads[]; };              // 1: a node begins at this child
+layout(binding = 3, scalar) writeonly buffer Ends { uint ends[]; };  // where the node that begins here ends
 
 void main() {
   uint begin = invocation_index() * cut_run;

@@ -9,9 +9,9 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint first_child;  // of the segment
   uint children;
-  uint first_node;   // of the segment
+  uint first_node;  // of the segment
   uint arity;
-  uint rays_below;   // 1: children are rays themselves (level 1)
+  uint rays_below;  // 1: children are rays themselves (level 1)
 };
 layout(binding = 0, scalar) readonly buffer RaysBelow { uvec2 rays_of_child[]; };
 layout(binding = 1, scalar) writeonly buffer Parents { uint parent[]; };

@@ -1,6 +1,6 @@
 // What tests need of a node, worked out once where many follow: the walk through the object hierarchy (lavapipe moves
-// nothing out of loops). A bound may bring READY and its three functions of its own, as "slab" does; here they are for all
-// others. No ray of the node is where a test says so before `enter`, and none matters beyond `reach` (metres).
+// nothing out of loops). A bound may bring READY and its three functions of its own, as "slab" does; here they are for
+// all others. No ray of the node is where a test says so before `enter`, and none matters beyond `reach` (metres).
 
 #ifndef READY
 struct ReadyBound {

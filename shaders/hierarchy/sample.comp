@@ -1,6 +1,6 @@
 #version 460
-// Into how many nodes some of a segment's rays would be cut in the order of their creation: how coherent they are before
-// anything is paid for sorting them. Lane: a run of rays as in cut.comp, every so many-th.
+// Into how many nodes some of a segment's rays would be cut in the order of their creation: how coherent they are
+// before anything is paid for sorting them. Lane: a run of rays as in cut.comp, every so many-th.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 16) in;
@@ -12,9 +12,9 @@ layout(push_constant, scalar) uniform Push {
   uint first_ray;  // of the segment
   uint ray_count;
   uint arity;
-  uint stride;     // runs
-  uint slot;       // of the sum
-  float chord;     // as in cut.comp
+  uint stride;  // runs
+  uint slot;    // of the sum
+  float chord;  // as in cut.comp
   float reach;
 };
 layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };  // in creation order

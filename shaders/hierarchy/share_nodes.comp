@@ -1,13 +1,13 @@
 #version 460
-// What the nodes of one level and segment tested, shared equally among their rays and added to these rays' pixels (layers
-// Tests.*). Lane: a ray, in sorted order, which looks up its node.
+// What the nodes of one level and segment tested, shared equally among their rays and added to these rays' pixels
+// (layers Tests.*). Lane: a ray, in sorted order, which looks up its node.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  uint first_ray;      // sorted position of the segment's first
+  uint first_ray;  // sorted position of the segment's first
   uint rays;
   uint surfaces;       // slots a segment
   uint first_surface;  // of the batch
@@ -17,7 +17,7 @@ layout(push_constant, scalar) uniform Push {
 };
 layout(binding = 0, scalar) readonly buffer Slots { uint slots[]; };
 layout(binding = 1, scalar) readonly buffer Pixels { vec4 pixels[]; };
-layout(binding = 2, scalar) readonly buffer Order { uint order[]; };    // creation index a sorted position
+layout(binding = 2, scalar) readonly buffer Order { uint order[]; };  // creation index a sorted position
 layout(binding = 3, scalar) readonly buffer NodeRays { uvec2 rays_of[]; };
 layout(binding = 4, scalar) readonly buffer Account { uint account[]; };
 layout(binding = 5, scalar) buffer Tests { uvec2 tests[]; };

@@ -41,9 +41,8 @@ Slab bound_of_ray(Ray ray) {
 }
 
 Slab bound_merge(Slab a, Slab b) {
-  return Slab(min(a.origin_low, b.origin_low), max(a.origin_high, b.origin_high),
-              min(a.direction_low, b.direction_low), max(a.direction_high, b.direction_high),
-              min(a.end_low, b.end_low), max(a.end_high, b.end_high));
+  return Slab(min(a.origin_low, b.origin_low), max(a.origin_high, b.origin_high), min(a.direction_low, b.direction_low),
+              max(a.direction_high, b.direction_high), min(a.end_low, b.end_low), max(a.end_high, b.end_high));
 }
 
 Slab bound_merge_ray(Slab node, Ray ray) { return bound_merge(node, bound_of_ray(ray)); }
@@ -60,8 +59,8 @@ Slab bound_fit(uint first, uint last) {
 /// Test-only mutation: every range of directions narrower by a factor.
 Slab bound_narrowed(Slab node, float scale) {
   vec4 middle = 0.5 * (node.direction_low + node.direction_high), half_range = node.direction_high - middle;
-  return Slab(node.origin_low, node.origin_high, middle - half_range * scale, middle + half_range * scale,
-              node.end_low, node.end_high);
+  return Slab(node.origin_low, node.origin_high, middle - half_range * scale, middle + half_range * scale, node.end_low,
+              node.end_high);
 }
 
 /// Tangent of the half-angle (3e38: a right angle) and radius of the ranges, for the statistics.
@@ -125,9 +124,10 @@ bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3
   return bound_may_hit_box(node, interval, low, high, use_interval, enter);
 }
 
-/// What tests against boxes need of a node, worked out once where many follow: the object hierarchy's walk. Along an axis
-/// rays come into a box at its near plane, from the origin that is nearest to it and as the quickest of them, and leave at
-/// the far one as the slowest. Where some go forward and some backward, they may come in at once and need not leave.
+/// What tests against boxes need of a node, worked out once where many follow: the object hierarchy's walk. Along an
+/// axis rays come into a box at its near plane, from the origin that is nearest to it and as the quickest of them, and
+/// leave at the far one as the slowest. Where some go forward and some backward, they may come in at once and need not
+/// leave.
 struct ReadySlab {
   bvec3 near_is_low;
   vec3 near_origin;

@@ -21,8 +21,8 @@ layout(push_constant, scalar) uniform Push {
   uint tests_counter;
   uint first_account;  // of ray 0
 };
-layout(binding = 5, scalar) readonly buffer Rays { Ray rays[]; };       // in sorted order
-layout(binding = 6, scalar) readonly buffer Order { uint order[]; };    // creation index a sorted position
+layout(binding = 5, scalar) readonly buffer Rays { Ray rays[]; };     // in sorted order
+layout(binding = 6, scalar) readonly buffer Order { uint order[]; };  // creation index a sorted position
 layout(binding = 7, scalar) readonly buffer Children { uvec2 rays_of[]; };
 layout(binding = 8, scalar) readonly buffer Bases { uint bases[]; };
 layout(binding = 9, scalar) readonly buffer Pairs { HitPair pairs[]; };

@@ -15,8 +15,8 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint first_ray;  // of the segment
   uint ray_count;
-  uint lanes;      // each takes every so many-th ray
-  uint surfaces;   // slots a segment
+  uint lanes;          // each takes every so many-th ray
+  uint surfaces;       // slots a segment
   uint first_surface;  // of the batch
   uint kind;
   uint light;

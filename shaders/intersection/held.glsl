@@ -1,5 +1,5 @@
-// The stack of a cluster of lanes that walk a node together. It lies in registers, spread over the lanes: lavapipe pays for
-// memory by the lane, and hardly for arithmetic. Entry `place` is lane place % cluster's.
+// The stack of a cluster of lanes that walk a node together. It lies in registers, spread over the lanes: lavapipe pays
+// for memory by the lane, and hardly for arithmetic. Entry `place` is lane place % cluster's.
 
 const uint held_rows = 4u;
 #ifdef CRSH_ALONE

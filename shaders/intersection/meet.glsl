@@ -41,8 +41,8 @@ Loaded load_leaf_triangle(uint place) {
 
 /// What lane k of the subgroup has loaded.
 Loaded passed_round(Loaded mine, uint k) {
-  return Loaded(FROM_LANE(mine.id, k), FROM_LANE(mine.a, k),
-                vec4(FROM_LANE(mine.b.xyz, k), 0.0), vec4(FROM_LANE(mine.c.xyz, k), 0.0));
+  return Loaded(FROM_LANE(mine.id, k), FROM_LANE(mine.a, k), vec4(FROM_LANE(mine.b.xyz, k), 0.0),
+                vec4(FROM_LANE(mine.c.xyz, k), 0.0));
 }
 
 /// The hit of `ray`, whose direction has this shear, after it has been tested against a triangle.

@@ -61,8 +61,9 @@ void give_rays(bool done) {
 
 #else
 
-// Ray `row * cluster + lane` of the node is lane's; those past the node's last one are never wanted. A row is a variable
-// of its own, and no loop goes over them: its body would be run once more than there are rows, and an array kept in memory.
+// Ray `row * cluster + lane` of the node is lane's; those past the node's last one are never wanted. A row is a
+// variable of its own, and no loop goes over them: its body would be run once more than there are rows, and an array
+// kept in memory.
 struct OwnRay {
   uint id;
   Ray ray;
@@ -71,8 +72,8 @@ struct OwnRay {
   uint tests;
 };
 OwnRay own_0, own_1, own_2, own_3, own_4, own_5, own_6, own_7;
-#define EACH_ROW(DO)         \
-  DO(own_0, 0u)              \
+#define EACH_ROW(DO)           \
+  DO(own_0, 0u)                \
   if (rows > 1u) DO(own_1, 1u) \
   if (rows > 2u) DO(own_2, 2u) \
   if (rows > 3u) DO(own_3, 3u) \

@@ -1,12 +1,12 @@
 #version 460
 // variants: hierarchy/bounds
 // Level-1 nodes through the object hierarchy, from their groups' frontiers down to the leaves, and their rays against
-// the triangles that the node may hit: depth first, the nearer child first, no farther than the rays' hits so far, and no
-// more where all shadow rays of the node are blocked. (Sections 3.2.5 and 3.2.6, and the paper's future work.)
+// the triangles that the node may hit: depth first, the nearer child first, no farther than the rays' hits so far, and
+// no more where all shadow rays of the node are blocked. (Sections 3.2.5 and 3.2.6, and the paper's future work.)
 //
-// A cluster of lanes takes a node, a ray each. All of them walk alike: what the node needs is loaded once, by one lane or
-// another, and passed round; boxes of a frontier and triangles of a leaf are tested side by side. In the "-alone" build a
-// cluster is one lane, which takes the rays in turn: the same hits, after tests in another order.
+// A cluster of lanes takes a node, a ray each. All of them walk alike: what the node needs is loaded once, by one lane
+// or another, and passed round; boxes of a frontier and triangles of a leaf are tested side by side. In the "-alone"
+// build a cluster is one lane, which takes the rays in turn: the same hits, after tests in another order.
 //
 // Nodes that need very many tests are left: their rays then go one by one (single.comp).
 #extension GL_GOOGLE_include_directive : require
@@ -45,7 +45,7 @@ layout(push_constant, scalar) uniform Push {
   uint first_ray;    // of the segment
   uint use_interval;
   uint counter_row;  // first counter of the rays' bounce and kind
-  uint box_account;       // of the level's node 0
+  uint box_account;  // of the level's node 0
   uint node_account;
   uint triangle_account;  // of ray 0
 };
@@ -69,26 +69,26 @@ uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays
 #include "intersection/node_rays.glsl"
 #include "intersection/node_bound.glsl"
 
-/// Turns of loops of a node's walk, and of all nodes of a cluster, about. While one of four clusters of a subgroup takes a
-/// turn, five other loops may run for no lane: lavapipe 22.3 ends loops silently after 65,535.
+/// Turns of loops of a node's walk, and of all nodes of a cluster, about. While one of four clusters of a subgroup
+/// takes a turn, five other loops may run for no lane: lavapipe 22.3 ends loops silently after 65,535.
 const uint most_turns = 640u, most_turns_in_all = 2560u;
 /// No ray that is inside a box from `enter` on hits anything in it before that, but for rounding.
 const float reach_slack = 1.0 + 8.0 * bound_pad;
 
-/// What is to be visited: `next`; then what lies on the stack; then the hits among the entries of the frontier that were
-/// tested together, a lane each; then the frontier's other entries.
+/// What is to be visited: `next`; then what lies on the stack; then the hits among the entries of the frontier that
+/// were tested together, a lane each; then the frontier's other entries.
 struct NodeWalk {
-  uint next;         // `none`: nothing in hand
-  float enter;       // no ray is inside before
-  uint depth;        // of the stack
-  uint visit;        // this lane's entry
+  uint next;    // `none`: nothing in hand
+  float enter;  // no ray is inside before
+  uint depth;   // of the stack
+  uint visit;   // this lane's entry
   float visit_enter;
-  uint visits;       // a bit a lane whose entry is an inner node to be visited
-  bool leaves;       // some entries are leaves, and first of all
-  uint entry;        // of the frontier, not tested yet
+  uint visits;  // a bit a lane whose entry is an inner node to be visited
+  bool leaves;  // some entries are leaves, and first of all
+  uint entry;   // of the frontier, not tested yet
   uint entries_end;
-  float reach;       // of all rays: nothing beyond can matter; below 0: nothing at all
-  uint turns;        // left to take
+  float reach;  // of all rays: nothing beyond can matter; below 0: nothing at all
+  uint turns;   // left to take
 };
 
 bool is_idle(NodeWalk walk) { return walk.next == none && walk.depth == 0u && walk.visits == 0u && !walk.leaves; }
@@ -206,8 +206,8 @@ bool walk_node(uint node, inout uint turns) {
   take_rays(node);
   READY bound = ready(load_bound(node), use_interval == 1u);
   uint list = (grouped == 1u ? parents[node] - first_group : 0u) * frontier_room;
-  NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x, reach_of_rays(),
-                           min(turns, most_turns));
+  NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x,
+                           reach_of_rays(), min(turns, most_turns));
   turns -= walk.turns;
   for (;;) {
     if (is_idle(walk) && walk.entry < walk.entries_end) {

@@ -39,7 +39,8 @@ void main() {
     uint triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
     uint material = floatBitsToUint(corner_a[triangle].w);
     bool tints = shadow && (material & triangle_transmissive) != 0u;
-    bool passes = !shadow && (material & triangle_cull_back) != 0u && !rayQueryGetIntersectionFrontFaceEXT(query, false);
+    bool passes =
+        !shadow && (material & triangle_cull_back) != 0u && !rayQueryGetIntersectionFrontFaceEXT(query, false);
     if (tints) hit.xyz = saturating_sum(hit.xyz, materials[material & triangle_material_mask].tint.xyz);
     if (!tints && !passes) rayQueryConfirmIntersectionEXT(query);
   }

@@ -11,18 +11,18 @@ layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  uint first_ray;   // of the segment
-  uint first;       // ray of this dispatch, counted from first_ray
+  uint first_ray;  // of the segment
+  uint first;      // ray of this dispatch, counted from first_ray
   uint end;
   uint box_counter;
   uint triangle_counter;
   uint box_account;  // of ray 0
   uint triangle_account;
-  uint listed;       // 1: rays are those of the list
+  uint listed;  // 1: rays are those of the list
 };
-layout(binding = 9, scalar) writeonly buffer Left { uint left[]; };    // rays, as in the list
+layout(binding = 9, scalar) writeonly buffer Left { uint left[]; };  // rays, as in the list
 layout(binding = 10, scalar) buffer LeftCount { uint left_count[]; };
-layout(binding = 11, scalar) readonly buffer List { uint list[]; };    // rays, counted from first_ray
+layout(binding = 11, scalar) readonly buffer List { uint list[]; };  // rays, counted from first_ray
 #define ACCOUNT_BINDING 12
 #include "lib/account.glsl"
 

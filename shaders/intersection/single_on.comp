@@ -11,8 +11,8 @@ layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  uint first_ray;   // of the segment
-  uint first;       // of the list
+  uint first_ray;  // of the segment
+  uint first;      // of the list
   uint count;
   uint box_counter;
   uint triangle_counter;

@@ -7,7 +7,7 @@ layout(constant_id = 16) const uint accounted = 0u;  // a bit for each of tests_
 layout(binding = ACCOUNT_BINDING, scalar) buffer Account { uint account[]; };
 
 /// Adds `tests` of this kind to a slot: that of the level's first ray or node, which the host pushes, plus its own.
-#define ACCOUNT(kind, slot, tests)                                               \
-  {                                                                              \
-    if ((accounted & (1u << (kind))) != 0u) atomicAdd(account[slot], tests);     \
+#define ACCOUNT(kind, slot, tests)                                           \
+  {                                                                          \
+    if ((accounted & (1u << (kind))) != 0u) atomicAdd(account[slot], tests); \
   }

@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_CLUSTER_GLSL
 #define CRSH_LIB_CLUSTER_GLSL
-// A cluster of lanes that walk together: so many as the includer's `cluster` says, a power of two; one in "-alone" builds.
-// What all of them know they find out by shuffles alone: on lavapipe a ballot takes as long as ten.
+// A cluster of lanes that walk together: so many as the includer's `cluster` says, a power of two; one in "-alone"
+// builds. What all of them know they find out by shuffles alone: on lavapipe a ballot takes as long as ten.
 
 #include "lib/invocation.glsl"
 #include "lib/together.glsl"
@@ -41,11 +41,13 @@ uint lane_of_sum(uint sum, uint place) {
   return lane;
 }
 uint least_of_lanes(uint value) {
-  for (uint apart = 1u; apart < cluster; apart <<= 1u) value = min(value, FROM_LANE(value, gl_SubgroupInvocationID ^ apart));
+  for (uint apart = 1u; apart < cluster; apart <<= 1u)
+    value = min(value, FROM_LANE(value, gl_SubgroupInvocationID ^ apart));
   return value;
 }
 float largest_of_lanes(float value) {
-  for (uint apart = 1u; apart < cluster; apart <<= 1u) value = max(value, FROM_LANE(value, gl_SubgroupInvocationID ^ apart));
+  for (uint apart = 1u; apart < cluster; apart <<= 1u)
+    value = max(value, FROM_LANE(value, gl_SubgroupInvocationID ^ apart));
   return value;
 }
 /// Subgroups are full: the host asks for this build only where they divide a workgroup.

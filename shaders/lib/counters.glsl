@@ -4,13 +4,13 @@
 // `buffer Counters { uvec2 counters[]; }`. Sums do not depend on the order of adding.
 
 /// Adds what the subgroup's active lanes pass, in one go. A lane may pass at most 2^24.
-#define ADD_COUNTER(slot, value)                                          \
-  {                                                                       \
-    uint sum_ = subgroupAdd(value);                                       \
-    if (subgroupElect()) {                                                \
-      uint before_ = atomicAdd(counters[slot].x, sum_);                   \
-      if (before_ + sum_ < before_) atomicAdd(counters[slot].y, 1u);      \
-    }                                                                     \
+#define ADD_COUNTER(slot, value)                                     \
+  {                                                                  \
+    uint sum_ = subgroupAdd(value);                                  \
+    if (subgroupElect()) {                                           \
+      uint before_ = atomicAdd(counters[slot].x, sum_);              \
+      if (before_ + sum_ < before_) atomicAdd(counters[slot].y, 1u); \
+    }                                                                \
   }
 
 #endif

@@ -30,8 +30,6 @@ vec3 exact_normalize(vec3 v) {
   return result;
 }
 
-float largest(vec3 v) {
-  return max(max(abs(v.x), abs(v.y)), abs(v.z));
-}
+float largest(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 
 #endif

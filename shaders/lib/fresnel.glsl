@@ -21,7 +21,8 @@ float schlick(float cosine) {
 /// Squared cosine of the refracted ray to the normal; negative: total internal reflection.
 float refracted_cosine_squared(float cosine, float eta) { return 1.0 - eta * eta * (1.0 - cosine * cosine); }
 
-/// Unpolarised reflectance of a dielectric boundary; eta = n(this side) / n(other side). 1 at total internal reflection.
+/// Unpolarised reflectance of a dielectric boundary; eta = n(this side) / n(other side). 1 at total internal
+/// reflection.
 float dielectric_fresnel(float cosine, float eta) {
   float squared = refracted_cosine_squared(cosine, eta);
   if (squared <= 0.0) return 1.0;

@@ -6,6 +6,7 @@
 uint workgroup_index() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 
 // A macro: in a function that stands before layout(local_size_x = ...) glslang takes gl_WorkGroupSize for 1.
-#define invocation_index() (workgroup_index() * (gl_WorkGroupSize.x * gl_WorkGroupSize.y * gl_WorkGroupSize.z) + gl_LocalInvocationIndex)
+#define invocation_index() \
+  (workgroup_index() * (gl_WorkGroupSize.x * gl_WorkGroupSize.y * gl_WorkGroupSize.z) + gl_LocalInvocationIndex)
 
 #endif

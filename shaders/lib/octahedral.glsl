@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_OCTAHEDRAL_GLSL
 #define CRSH_LIB_OCTAHEDRAL_GLSL
-// The sphere of directions on a square: projected on an octahedron, whose upper half is folded outwards. Downwards, where
-// most lamps shine, is the middle of the square, and the whole lower hemisphere has no seam.
+// The sphere of directions on a square: projected on an octahedron, whose upper half is folded outwards. Downwards,
+// where most lamps shine, is the middle of the square, and the whole lower hemisphere has no seam.
 
 /// Direction (any length but 0) to the unit square. No transcendental function; the same bits in every shader.
 vec2 octahedral(vec3 direction) {

@@ -7,8 +7,8 @@
 /// Shares of coordinates: no length in scene units, so that a scene may have any scale and lie anywhere.
 /// 2^-16 of the point's largest, 128 units in its last place: above the rounding of interpolated points.
 const float offset_step = 1.52587890625e-5;
-/// 2^-20 of the largest of what else the arithmetic of a hit meets, its triangle's corners and the ray's other end: above
-/// the rounding of both where the point is much closer to the world's origin than they are.
+/// 2^-20 of the largest of what else the arithmetic of a hit meets, its triangle's corners and the ray's other end:
+/// above the rounding of both where the point is much closer to the world's origin than they are.
 const float offset_step_of_others = 9.5367431640625e-7;
 
 /// Bound of the coordinates of a triangle, from its smallest sphere.

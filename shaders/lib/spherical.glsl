@@ -1,6 +1,7 @@
 #ifndef CRSH_LIB_SPHERICAL_GLSL
 #define CRSH_LIB_SPHERICAL_GLSL
-// Spherical coordinates (section 3.2.2), with the arcus tangent written out so that it has the same bits on every driver.
+// Spherical coordinates (section 3.2.2), with the arcus tangent written out so that it has the same bits on every
+// driver.
 
 /// Arcus tangent of 0 to 1, radians, to 2e-8 before rounding (Abramowitz and Stegun 4.4.49).
 float exact_atan_unit(float x) {
@@ -31,7 +32,8 @@ float exact_atan(float y, float x) {
   return y < 0.0 ? -angle : angle;
 }
 
-/// Direction (any length but 0) to (theta / pi, (phi + pi) / 2 pi), each 0 to 1: theta from the upward axis, phi about it.
+/// Direction (any length but 0) to (theta / pi, (phi + pi) / 2 pi), each 0 to 1: theta from the upward axis, phi about
+/// it.
 vec2 spherical(vec3 direction) {
   precise float level_squared = direction.x * direction.x + direction.z * direction.z;
   precise float level = sqrt(level_squared);

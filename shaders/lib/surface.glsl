@@ -9,15 +9,15 @@
 /// The paper's position, normal, diffuse and specular (section 3.1), and what reflection and refraction need.
 struct Surface {
   vec3 position;
-  vec3 normal;        // shading normal, unit, on the side of the ray that came
-  vec3 geometric;     // unit, turned to the ray that came
-  vec3 diffuse;       // base colour less metal, before transmission takes its share
+  vec3 normal;     // shading normal, unit, on the side of the ray that came
+  vec3 geometric;  // unit, turned to the ray that came
+  vec3 diffuse;    // base colour less metal, before transmission takes its share
   float metallic;
-  vec3 specular;      // F0
+  vec3 specular;  // F0
   float roughness;
   float transmission;
-  float eta;          // n(this side) / n(other side); 1 where the ray does not bend
-  vec3 emission;      // cd/m2
+  float eta;      // n(this side) / n(other side); 1 where the ray does not bend
+  vec3 emission;  // cd/m2
 };
 
 /// Unit normal of the front; 0 for a triangle without area. Edges are scaled first: no small triangle underflows.

@@ -42,8 +42,9 @@ vec4 texel(Texture image, ivec2 at) {
 /// The texture at `uv`: nearest or bilinear, each texel decoded before it is filtered.
 vec4 sample_texture(Texture image, vec2 uv) {
   vec2 size = vec2(float(image.width), float(image.height));
-  vec2 at = vec2(reduced(uv.x, wrap_of(image, texture_wrap_s_shift)),
-                 reduced(uv.y, wrap_of(image, texture_wrap_t_shift))) * size;
+  vec2 at =
+      vec2(reduced(uv.x, wrap_of(image, texture_wrap_s_shift)), reduced(uv.y, wrap_of(image, texture_wrap_t_shift))) *
+      size;
   bool nearest = (image.flags & texture_nearest) != 0u;
   vec2 corner = floor(nearest ? at : at - 0.5);
   vec2 part = nearest ? vec2(0.0) : at - 0.5 - corner;

@@ -10,8 +10,8 @@ layout(local_size_x = 64) in;
 layout(constant_id = 0) const bool high_word = false;  // else the pairs are begun
 
 layout(push_constant, scalar) uniform Push {
-  vec3 low;      // of the centroids' cube
-  float inverse; // 1 / its edge
+  vec3 low;       // of the centroids' cube
+  float inverse;  // 1 / its edge
   uint count;
 };
 layout(binding = 0, scalar) readonly buffer CornersA { vec4 corner_a[]; };

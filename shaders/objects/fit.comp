@@ -14,7 +14,7 @@ layout(binding = 1, scalar) readonly buffer LeafB { vec4 leaf_b[]; };
 layout(binding = 2, scalar) readonly buffer LeafC { vec4 leaf_c[]; };
 layout(binding = 3, scalar) buffer Low { vec4 box_low[]; };
 layout(binding = 4, scalar) buffer High { vec4 box_high[]; };
-layout(binding = 5, scalar) buffer Costs { float costs[]; };   // a node: expected tests, times its area
+layout(binding = 5, scalar) buffer Costs { float costs[]; };  // a node: expected tests, times its area
 layout(binding = 6, scalar) writeonly buffer Root { vec4 root[]; };
 
 Box box_of_leaf(uint begin, uint end) {

@@ -12,7 +12,7 @@ layout(local_size_x = 64) in;
 #include "objects/clusters.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  uint first;   // cluster of this dispatch
+  uint first;  // cluster of this dispatch
   uint end;
   uint count;   // clusters in all
   uint radius;  // 0: neighbours pair up by twos, whatever their boxes

@@ -6,7 +6,7 @@
 #include "lib/invocation.glsl"
 
 layout(local_size_x_id = 0) in;
-layout(constant_id = 1) const uint run_quads = 64;      // elements of a run ÷ 4
+layout(constant_id = 1) const uint run_quads = 64;  // elements of a run ÷ 4
 layout(constant_id = 2) const bool inclusive = false;
 layout(constant_id = 3) const bool single_run = false;  // nothing comes before it: `before` is not read
 

@@ -4,13 +4,13 @@ layout(push_constant, scalar) uniform Push {
   vec3 eye;
   float orthographic;  // 1, or 0: perspective
   vec3 right;
-  float scale_x;       // image half widths a metre, at distance 1 from a perspective eye
+  float scale_x;  // image half widths a metre, at distance 1 from a perspective eye
   vec3 up;
   float scale_y;
   vec3 forward;
   float near_plane;
-  vec2 shift;          // of the image, in half widths and half heights: where in its pixel the sample lies
-  float far_plane;     // orthographic only
+  vec2 shift;       // of the image, in half widths and half heights: where in its pixel the sample lies
+  float far_plane;  // orthographic only
 };
 
 #define SCENE_BINDING 0

@@ -1,6 +1,6 @@
 #version 460
-// Refraction rays (section 3.2.2): straight on through thin walls, bent by Snell's law at solids, none at total internal
-// reflection. They start behind the geometric surface.
+// Refraction rays (section 3.2.2): straight on through thin walls, bent by Snell's law at solids, none at total
+// internal reflection. They start behind the geometric surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "rays/closest.glsl"
@@ -20,6 +20,5 @@ void main() {
   vec3 behind = -geometrics[surface].xyz;
   float cosine = cosine_of(normal.xyz, incoming.xyz);
   vec3 weight = refraction_weight(speculars[surface].rgb, cosine, incoming.w, normal.w, diffuses[surface].rgb);
-  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind),
-        kind_refraction);
+  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind), kind_refraction);
 }

@@ -14,7 +14,7 @@ layout(push_constant, scalar) uniform Push {
   uint first_surface;  // of the batch
   uint first_slot;     // of the first light's segment
   uint first_light;
-  uint light_count;    // of this batch: at most 64 segments
+  uint light_count;  // of this batch: at most 64 segments
 };
 layout(binding = 0, scalar) readonly buffer Positions { vec4 positions[]; };
 layout(binding = 1, scalar) readonly buffer Normals { vec4 normals[]; };

@@ -20,6 +20,8 @@ void main() {
   uint triangle = floatBitsToUint(positions[i].w);
   uvec2 found = uvec2(0u);
   if (triangle != none)
-    found = uvec2(floatBitsToUint(corner_b[triangle].w), floatBitsToUint(corner_a[triangle].w) & triangle_material_mask) + 1u;
+    found =
+        uvec2(floatBitsToUint(corner_b[triangle].w), floatBitsToUint(corner_a[triangle].w) & triangle_material_mask) +
+        1u;
   ids[floatBitsToUint(diffuse_pixel[i].w)] = found;
 }

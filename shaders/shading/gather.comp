@@ -30,8 +30,8 @@ layout(binding = 4, scalar) readonly buffer ReflectionEnds { uint reflection_end
 layout(binding = 5, scalar) readonly buffer RefractionEnds { uint refraction_ends[]; };
 layout(binding = 6, scalar) readonly buffer ReflectionTotals { vec4 reflection_totals[]; };
 layout(binding = 7, scalar) readonly buffer RefractionTotals { vec4 refraction_totals[]; };
-layout(binding = 8, scalar) writeonly buffer Totals { vec4 totals[]; };          // w: 1 where something was met
-layout(binding = 9, scalar) writeonly buffer Reflected { vec4 reflected[]; };    // the parts, where wanted
+layout(binding = 8, scalar) writeonly buffer Totals { vec4 totals[]; };        // w: 1 where something was met
+layout(binding = 9, scalar) writeonly buffer Reflected { vec4 reflected[]; };  // the parts, where wanted
 layout(binding = 10, scalar) writeonly buffer Refracted { vec4 refracted[]; };
 
 /// The ray in the slot between these ends, as child; `none` where the slot is empty.

@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 #include "shared/ray.h"
 
 layout(push_constant, scalar) uniform Push {
-  uint first_ray;     // of the batch: it becomes surface `first_out`
+  uint first_ray;  // of the batch: it becomes surface `first_out`
   uint count;
   uint slots;         // a segment of the batch
   uint first_parent;  // surface of the batch's slot 0

@@ -1,6 +1,6 @@
 #version 460
-// The visibility of lights from the surfaces of k = 0: what each shadow ray of a batch lets through, as luminance, and the
-// number of rays, added to the pixel. Lane: a surface.
+// The visibility of lights from the surfaces of k = 0: what each shadow ray of a batch lets through, as luminance, and
+// the number of rays, added to the pixel. Lane: a surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -9,8 +9,8 @@ CRSH_CONST uint none = 0xFFFFFFFFu;
 /// Triangles of one mask word of the top level's traversal.
 CRSH_CONST uint block_triangles = 32u;
 /// Most triangles of one batch: a lane walks a node's whole list in a loop, with two more loops of one turn each where
-/// it hits, and lavapipe 22.3 ends loops silently after 65,535 iterations an invocation, all its loops together: a turn for
-/// each of the three, and, where subgroups of four read together, two more for every four triangles.
+/// it hits, and lavapipe 22.3 ends loops silently after 65,535 iterations an invocation, all its loops together: a turn
+/// for each of the three, and, where subgroups of four read together, two more for every four triangles.
 CRSH_CONST uint max_batch_triangles = 12288u;
 /// Most rays of one sorted batch (a 128 MiB binding of 32-byte rays).
 CRSH_CONST uint max_batch_rays = 1u << 22;

@@ -4,11 +4,12 @@
 
 CRSH_SHARED_BEGIN
 
-// The object hierarchy: a binary tree of boxes over the drawn triangles, for the paper's "deeper BVH" (its future work).
+// The object hierarchy: a binary tree of boxes over the drawn triangles, for the paper's "deeper BVH" (its future
+// work).
 //
 // Node i has the child slots 2 i and 2 i + 1 of two buffers of vec4, box_low and box_high:
 //   box_low.xyz, box_high.xyz  the child's box, padded (lib/box.glsl)
-//   box_low.w                  bits: `child_is_leaf` and the first of its triangles in leaf order, or the index of an inner node
+//   box_low.w                  bits: `child_is_leaf` and the first of its triangles in leaf order, or an inner node's index
 //   box_high.w                 bits: how many triangles the child holds in all; 0 in a slot that stands empty
 // Node 0 is the root. Triangles lie in leaf order in three buffers of vec4, leaf_a, leaf_b and leaf_c, so that every
 // subtree's are neighbours. They are as in shared/scene.h, and leaf_c.w has the bits of the triangle's number.

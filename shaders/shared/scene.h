@@ -12,8 +12,8 @@ CRSH_CONST uint triangle_material_mask = (1u << 30) - 1u;
 
 /// One corner of a stored triangle, object space. 32 bytes.
 struct Vertex {
-  vec3 normal;   ///< unit; zero where the file has none (flat shading)
-  uint colour;   ///< COLOR_0, RGBA8, linear
+  vec3 normal;  ///< unit; zero where the file has none (flat shading)
+  uint colour;  ///< COLOR_0, RGBA8, linear
   vec2 uv0;
   vec2 uv1;
 };
@@ -35,12 +35,13 @@ struct Instance {
   vec4 normal2;
 };
 
-/// A texture as the shader samples it: one word of 16 bytes. Texels are RGBA8 words in up to four storage buffers (pages).
+/// A texture as the shader samples it: one word of 16 bytes. Texels are RGBA8 words in up to four storage buffers
+/// (pages).
 struct Texture {
-  uint first;   ///< index of its first texel in the page
+  uint first;  ///< index of its first texel in the page
   uint width;
   uint height;
-  uint flags;   ///< page (2 bits), wrap_s (2), wrap_t (2): 0 repeat, 1 clamp to edge, 2 mirrored repeat; and:
+  uint flags;  ///< page (2 bits), wrap_s (2), wrap_t (2): 0 repeat, 1 clamp to edge, 2 mirrored repeat; and:
 };
 CRSH_CONST uint texture_wrap_s_shift = 2u;
 CRSH_CONST uint texture_wrap_t_shift = 4u;
@@ -51,9 +52,9 @@ CRSH_CONST uint texture_srgb = 1u << 7;     ///< RGB is decoded from sRGB before
 struct Material {
   vec4 base_colour;
   vec4 emissive_metallic;  ///< rgb: emissive factor times strength, cd/m2; w: metallic factor
-  vec4 body;               ///< roughness, transmission, ior, thickness (object space metres; 0: thin-walled, does not bend)
-  uvec4 textures;          ///< base colour, metallic-roughness, emissive, transmission: index << 1 | texcoord set, or `none`
-  uvec4 tint;              ///< xyz: -log2 of what one crossing lets through, 16.16 fixed point, saturated: opaque
+  vec4 body;       ///< roughness, transmission, ior, thickness (object space metres; 0: thin-walled, does not bend)
+  uvec4 textures;  ///< base colour, metallic-roughness, emissive, transmission: index << 1 | texcoord set, or `none`
+  uvec4 tint;      ///< xyz: -log2 of what one crossing lets through, 16.16 fixed point, saturated: opaque
 };
 
 CRSH_CONST uint light_point = 0u;

@@ -45,8 +45,8 @@ void main() {
   bool present = i / portion.arity < portion.parent_count && children.x + child_place < children.y;
   uint child = min(children.x + child_place, children.y - 1u);
   uint base = portion.first_base + place;
-  List list = list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before, place,
-                      child_place);
+  List list =
+      list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before, place, child_place);
   BOUND ray_node = nodes[child];
   Interval interval = intervals[child];
 

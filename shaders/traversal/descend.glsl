@@ -2,7 +2,7 @@
 
 /// The children at hand and their parents' lists; the same for testing and for emitting.
 struct Portion {
-  uint first_child;   // of the level below
+  uint first_child;  // of the level below
   uint child_count;
   uint first_parent;
   uint parent_count;
@@ -12,7 +12,7 @@ struct Portion {
 };
 
 struct List {
-  uint begin;       // first pair of the parent
+  uint begin;  // first pair of the parent
   uint end;
   uint first_mask;  // of this child: a word 32 pairs
 };

@@ -28,8 +28,8 @@ void main() {
   uint parent = parents[child];
   uint place_of_parent = parent - portion.first_parent;
   uint base = portion.first_base + place_of_parent;
-  List list = list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before, place_of_parent,
-                      child - children_of[parent].x);
+  List list = list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before,
+                      place_of_parent, child - children_of[parent].x);
   uint place = scanned[first_scanned + i] - emitted_before;
   uint word = list.first_mask;
   for (uint begin = list.begin; begin < list.end; begin += 32u) {

@@ -13,7 +13,7 @@ layout(push_constant, scalar) uniform Push {
   uint node_count;
   uint first_block;
   uint block_count;
-  uint pairs_before; // pairs of the tile that lie before the first to emit
+  uint pairs_before;  // pairs of the tile that lie before the first to emit
 };
 layout(binding = 0, scalar) readonly buffer Blocks { uvec4 blocks[]; };
 layout(binding = 1, scalar) readonly buffer Masks { uint masks[]; };

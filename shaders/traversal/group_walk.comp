@@ -4,9 +4,9 @@
 // small subtrees, which are the group's frontier (shared/walk.h). Where a frontier has no more room or a walk gets too
 // long, what was left for later becomes frontier as it is.
 //
-// Lane: a group. A cluster of lanes, whose groups are neighbours, goes wherever one of them must; what the others do not
-// need they do not test. So a box is loaded once for all of them, by one lane or another. In the "-alone" build every
-// lane goes its own way.
+// Lane: a group. A cluster of lanes, whose groups are neighbours, goes wherever one of them must; what the others do
+// not need they do not test. So a box is loaded once for all of them, by one lane or another. In the "-alone" build
+// every lane goes its own way.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -63,20 +63,22 @@ uvec2 packed(Entry entry) {
 }
 
 Entry unpacked(uvec2 word) {
-  return Entry(word.x & ~(is_small | is_mine), (word.x & is_small) != 0u, (word.x & is_mine) != 0u, uintBitsToFloat(word.y));
+  return Entry(word.x & ~(is_small | is_mine), (word.x & is_small) != 0u, (word.x & is_mine) != 0u,
+               uintBitsToFloat(word.y));
 }
 
 /// The boxes of both children, of the slots 2 * node and after.
 #ifdef CRSH_ALONE
-#define BOXES(node, low0, high0, low1, high1) \
-  vec4 low0 = box_low[2u * node], high0 = box_high[2u * node], low1 = box_low[2u * node + 1u], high1 = box_high[2u * node + 1u];
+#define BOXES(node, low0, high0, low1, high1)                                                  \
+  vec4 low0 = box_low[2u * node], high0 = box_high[2u * node], low1 = box_low[2u * node + 1u], \
+       high1 = box_high[2u * node + 1u];
 #else
-#define BOXES(node, low0, high0, low1, high1)                                                          \
-  uint own_slot_ = 2u * node + (lane_in_cluster() >> 1u);                                             \
-  vec4 own_ = vec4(0.0);                                                                               \
-  if ((lane_in_cluster() & 1u) == 0u) own_ = box_low[own_slot_];                                       \
-  else own_ = box_high[own_slot_];                                                                     \
-  vec4 low0 = FROM_LANE(own_, first_of_cluster()), high0 = FROM_LANE(own_, first_of_cluster() + 1u),   \
+#define BOXES(node, low0, high0, low1, high1)                                                        \
+  uint own_slot_ = 2u * node + (lane_in_cluster() >> 1u);                                            \
+  vec4 own_ = vec4(0.0);                                                                             \
+  if ((lane_in_cluster() & 1u) == 0u) own_ = box_low[own_slot_];                                     \
+  else own_ = box_high[own_slot_];                                                                   \
+  vec4 low0 = FROM_LANE(own_, first_of_cluster()), high0 = FROM_LANE(own_, first_of_cluster() + 1u), \
        low1 = FROM_LANE(own_, first_of_cluster() + 2u), high1 = FROM_LANE(own_, first_of_cluster() + 3u);
 #endif
 
@@ -88,7 +90,6 @@ Entry tested(READY group, float reach, bool wanted, uint slot, vec4 low, vec4 hi
   bool small = floatBitsToUint(high.w) <= frontier_triangles || !is_inner(visit);
   return Entry(slot, small, hit && visit != none, enter);
 }
-
 
 uint first, count;  // of this lane's list
 
@@ -108,7 +109,7 @@ void main() {
   first = i * frontier_room + 1u;
   count = 0u;
   uint depth = 0u, visits = 0u, tests = 0u;
-  uint next = 0u;  // inner node
+  uint next = 0u;                                  // inner node
   Entry entry = Entry(none, false, present, 0.0);  // the same as a slot
   for (;;) {
     BOXES(next, low0, high0, low1, high1)
@@ -157,5 +158,7 @@ void main() {
   }
   if (present) frontier[first - 1u] = uvec2(count, 0u);
   ADD_COUNTER(box_counter, tests)
-  if (present) { ACCOUNT(tests_object, first_account + group_index, tests) }
+  if (present) {
+    ACCOUNT(tests_object, first_account + group_index, tests)
+  }
 }

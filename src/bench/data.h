@@ -21,8 +21,8 @@ struct Description {
 };
 
 /// {"schema": "crsh-bench/1", "runs": [..]}: a run is what `crsh render --stats` says of its timed frames (schema
-/// crsh-stats/1; of one pass where brute force was counted), and "bench": label, what varies, whether it was traced, and
-/// when each frame's turn was.
+/// crsh-stats/1; of one pass where brute force was counted), and "bench": label, what varies, whether it was traced,
+/// and when each frame's turn was.
 [[nodiscard]] nlohmann::ordered_json bench_json(const Description& description,
                                                 const std::vector<SceneResults>& scenes);
 

@@ -16,22 +16,31 @@ namespace {
 
 const char* const style = R"(<style>
 :root{color-scheme:light}
-body{font:15px/1.45 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:1200px;margin:0 auto;padding:0 16px 48px}
-h1{font-size:1.6em;margin:.8em 0 .2em}h2{font-size:1.25em;margin:2em 0 .5em;border-bottom:1px solid #bbb}h3{font-size:1.05em;margin:1.4em 0 .4em}
+body{font:15px/1.45 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:1200px;
+margin:0 auto;padding:0 16px 48px}
+h1{font-size:1.6em;margin:.8em 0 .2em}h2{font-size:1.25em;margin:2em 0 .5em;border-bottom:1px solid #bbb}
+h3{font-size:1.05em;margin:1.4em 0 .4em}
 pre{white-space:pre-wrap;overflow-wrap:anywhere;background:#f3f3f3;padding:8px 10px;font-size:13px}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-size:13.5px;font-variant-numeric:tabular-nums}
-th,td{padding:2px 7px;text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left;padding-left:2px}
+th,td{padding:2px 7px;text-align:right;white-space:nowrap}
+th:first-child,td:first-child{text-align:left;padding-left:2px}
 thead th{border-bottom:1px solid #555;font-weight:600}thead .span th{border-bottom:0;text-align:left;padding-left:28px}
 th:first-child,td:first-child{position:sticky;left:0;background:#fff}
-tbody .group td{font-weight:600;padding-top:9px;border-bottom:1px solid #ddd}tbody tr:not(.group):hover{background:#f0f5fa}
+tbody .group td{font-weight:600;padding-top:9px;border-bottom:1px solid #ddd}
+tbody tr:not(.group):hover{background:#f0f5fa}
 .note{font-size:13px;color:#444;margin:.4em 0 0}
 .chart{display:block;max-width:760px;margin:8px 0;font-size:12px;overflow:visible}
-.legend{display:flex;flex-wrap:wrap;gap:4px 16px;font-size:12.5px;margin:4px 0;max-width:760px}.legend span{display:inline-flex;align-items:center;gap:6px}
+.legend{display:flex;flex-wrap:wrap;gap:4px 16px;font-size:12.5px;margin:4px 0;max-width:760px}
+.legend span{display:inline-flex;align-items:center;gap:6px}
 .figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(max(165px,23%),1fr));gap:14px}
-figure{margin:0}figure img{width:100%;height:auto;display:block;image-rendering:auto}figcaption{font-size:13px;margin-top:3px}
-.scale{max-width:420px;margin:10px 0}.scale img{width:100%;height:14px;display:block}.scale div{position:relative;height:18px;font-size:12px}
-.scale span{position:absolute;transform:translateX(-50%)}.scale span:first-child{transform:none}.scale span:last-child{transform:translateX(-100%)}
-dl{display:grid;grid-template-columns:auto 1fr;gap:2px 14px;margin:.6em 0}dt{color:#555}dd{margin:0;overflow-wrap:anywhere}
+figure{margin:0}figure img{width:100%;height:auto;display:block;image-rendering:auto}
+figcaption{font-size:13px;margin-top:3px}
+.scale{max-width:420px;margin:10px 0}.scale img{width:100%;height:14px;display:block}
+.scale div{position:relative;height:18px;font-size:12px}
+.scale span{position:absolute;transform:translateX(-50%)}.scale span:first-child{transform:none}
+.scale span:last-child{transform:translateX(-100%)}
+dl{display:grid;grid-template-columns:auto 1fr;gap:2px 14px;margin:.6em 0}dt{color:#555}
+dd{margin:0;overflow-wrap:anywhere}
 </style>
 )";
 

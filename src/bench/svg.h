@@ -1,6 +1,6 @@
 #pragma once
-// Charts as SVG that stretches: widths are per cent of the page's, so that letters keep their size on a phone. Bars differ
-// by pattern and lines by mark and dashes, so that they can be told apart in grey.
+// Charts as SVG that stretches: widths are per cent of the page's, so that letters keep their size on a phone. Bars
+// differ by pattern and lines by mark and dashes, so that they can be told apart in grey.
 
 #include <string>
 #include <utility>

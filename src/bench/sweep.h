@@ -21,8 +21,8 @@ struct SweepStep {
 /// The scene with every triangle cut into n x n: the same surfaces, finer.
 [[nodiscard]] scene::Scene subdivided(const scene::Scene& scene, uint32_t n);
 
-/// Runs all variants but brute force at every size, those of one size in turn. A variant whose next size would need more
-/// than `most_sweep_tests` a frame ends there.
+/// Runs all variants but brute force at every size, those of one size in turn. A variant whose next size would need
+/// more than `most_sweep_tests` a frame ends there.
 [[nodiscard]] std::vector<SweepStep> sweep(SweepKind kind, gpu::Device& device, const scene::Scene& scene,
                                            const std::vector<Variant>& variants, const Schedule& schedule,
                                            const Progress& progress);

@@ -59,20 +59,23 @@ std::string key_named(size_t kind, const std::string& name) {
 }
 
 Option algorithm_option(AlgorithmOptions& algorithm) {
-  return {.names = "--algorithm", .value = "NAME",
-          .help = fmt::format("Preset of the switches below, each of which changes one thing of it: {}; or {}, where the "
-                              "device has VK_KHR_ray_query (its own hierarchy: the picture is near the others').",
-                              fmt::join(preset_names(), ", "), ray_query_preset),
-          .set = [&algorithm](const std::string& name) { algorithm = preset(name); },
-          .get = [&algorithm] { return algorithm.preset; },
-          .words = preset_names()};
+  return {
+      .names = "--algorithm",
+      .value = "NAME",
+      .help = fmt::format("Preset of the switches below, each of which changes one thing of it: {}; or {}, where the "
+                          "device has VK_KHR_ray_query (its own hierarchy: the picture is near the others').",
+                          fmt::join(preset_names(), ", "), ray_query_preset),
+      .set = [&algorithm](const std::string& name) { algorithm = preset(name); },
+      .get = [&algorithm] { return algorithm.preset; },
+      .words = preset_names()};
 }
 
 Option key_option(AlgorithmOptions& algorithm) {
   return {.names = "--key",
           .value = "[KIND=]NAME",
-          .help = fmt::format("Sort key of one kind of rays ({}) or of all: best, {}; file: those of --replay-rays. Repeats.",
-                              fmt::join(kind_names(), ", "), fmt::join(rays::key_names(), ", ")),
+          .help = fmt::format(
+              "Sort key of one kind of rays ({}) or of all: best, {}; file: those of --replay-rays. Repeats.",
+              fmt::join(kind_names(), ", "), fmt::join(rays::key_names(), ", ")),
           .set =
               [&algorithm](const std::string& given) {
                 for_kinds(given,
@@ -89,19 +92,25 @@ Option key_option(AlgorithmOptions& algorithm) {
 }
 
 Option levels_option(AlgorithmOptions& algorithm) {
-  return {.names = "--levels", .value = "[KIND=]N", .help = "Levels of nodes above the rays, 1 to 8; 1 or 2 of crsh-bvh. Repeats.",
-          .set = [&algorithm](const std::string& given) {
-            for_kinds(given, [&](size_t kind, const std::string& value) {
-              algorithm.levels[kind] = static_cast<uint32_t>(parse_integer(value, 1, 8));
-            });
-          },
+  return {.names = "--levels",
+          .value = "[KIND=]N",
+          .help = "Levels of nodes above the rays, 1 to 8; 1 or 2 of crsh-bvh. Repeats.",
+          .set =
+              [&algorithm](const std::string& given) {
+                for_kinds(given, [&](size_t kind, const std::string& value) {
+                  algorithm.levels[kind] = static_cast<uint32_t>(parse_integer(value, 1, 8));
+                });
+              },
           .get = [&algorithm] { return by_kind([&](size_t kind) { return algorithm.levels[kind]; }); },
-          .repeats = true, .initial = ""};
+          .repeats = true,
+          .initial = ""};
 }
 
 Option bound_option(AlgorithmOptions& algorithm) {
   const std::vector<std::string> names = bound_names();
-  return {.names = "--bound", .value = "NAME", .help = fmt::format("Bound of a node: {}.", fmt::join(names, ", ")),
+  return {.names = "--bound",
+          .value = "NAME",
+          .help = fmt::format("Bound of a node: {}.", fmt::join(names, ", ")),
           .set = [&algorithm, names](const std::string& name) { algorithm.bound = names[parse_choice(name, names)]; },
           .get = [&algorithm] { return algorithm.bound; },
           .initial = "",
@@ -112,32 +121,30 @@ Option bound_option(AlgorithmOptions& algorithm) {
 
 OptionGroup algorithm_options(AlgorithmOptions& algorithm) {
   const auto plain = [](Option option) { return with_default("", std::move(option)); };  // the preset's
-  return {"Algorithm (the picture is the same, bit for bit)",
-          {algorithm_option(algorithm),
-           key_option(algorithm),
-           plain(choice("--ray-order", "scanline|tiles", "Order in which rays are created.", algorithm.ray_order,
-                        {"scanline", "tiles"})),
-           plain(on_off("--compression", "Sort runs of neighbours with one key as one.", algorithm.compression)),
-           plain(choice("--nodes", "fixed|cut", "Where level-1 nodes end: after N rays, or also where coherence ends.", algorithm.nodes,
-                        {"fixed", "cut"})),
-           plain(real("--cut-angle", "RAD",
-                      "Cut nodes end where rays are so far from their first one's direction.",
-                      algorithm.cut_angle, 0, 4)),
-           plain(real("--cut-distance", "SHARE",
-                      "Cut nodes end where rays begin so far from their first one, as a share of the scene's longest edge.",
-                      algorithm.cut_distance, 0, 4)),
-           plain(real("--least-rays", "MEAN",
-                      "Rays go one by one where a sample of them, unsorted, would be cut to nodes of fewer: crsh-bvh only.",
-                      algorithm.least_rays, 0, 64)),
-           plain(integer("--arity", "N", "Children of a node, 2 to 64.", algorithm.arity, 2, 64)),
-           levels_option(algorithm),
-           bound_option(algorithm),
-           plain(choice("--fit", "merged|all", "Bound a node's children, or all rays below it.", algorithm.fit,
-                        {"merged", "all"})),
-           plain(on_off("--interval", "Test also the distances that a node's rays reach.", algorithm.interval)),
-           plain(on_off("--mesh-culling", "Test nodes against whole meshes first.", algorithm.mesh_culling)),
-           plain(choice("--batches", "mixed|separate", "Sort a bounce's kinds of rays together, or one by one.",
-                        algorithm.mixed_batches, {"separate", "mixed"}))}};
+  return {
+      "Algorithm (the picture is the same, bit for bit)",
+      {algorithm_option(algorithm), key_option(algorithm),
+       plain(choice("--ray-order", "scanline|tiles", "Order in which rays are created.", algorithm.ray_order,
+                    {"scanline", "tiles"})),
+       plain(on_off("--compression", "Sort runs of neighbours with one key as one.", algorithm.compression)),
+       plain(choice("--nodes", "fixed|cut", "Where level-1 nodes end: after N rays, or also where coherence ends.",
+                    algorithm.nodes, {"fixed", "cut"})),
+       plain(real("--cut-angle", "RAD", "Cut nodes end where rays are so far from their first one's direction.",
+                  algorithm.cut_angle, 0, 4)),
+       plain(real("--cut-distance", "SHARE",
+                  "Cut nodes end where rays begin so far from their first one, as a share of the scene's longest edge.",
+                  algorithm.cut_distance, 0, 4)),
+       plain(real("--least-rays", "MEAN",
+                  "Rays go one by one where a sample of them, unsorted, would be cut to nodes of fewer: crsh-bvh only.",
+                  algorithm.least_rays, 0, 64)),
+       plain(integer("--arity", "N", "Children of a node, 2 to 64.", algorithm.arity, 2, 64)), levels_option(algorithm),
+       bound_option(algorithm),
+       plain(choice("--fit", "merged|all", "Bound a node's children, or all rays below it.", algorithm.fit,
+                    {"merged", "all"})),
+       plain(on_off("--interval", "Test also the distances that a node's rays reach.", algorithm.interval)),
+       plain(on_off("--mesh-culling", "Test nodes against whole meshes first.", algorithm.mesh_culling)),
+       plain(choice("--batches", "mixed|separate", "Sort a bounce's kinds of rays together, or one by one.",
+                    algorithm.mixed_batches, {"separate", "mixed"}))}};
 }
 
 }  // namespace crsh::cli

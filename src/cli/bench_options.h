@@ -46,7 +46,8 @@ struct BenchCommand {
 /// All tables, bound to `command`.
 [[nodiscard]] std::vector<OptionGroup> bench_options(BenchCommand& command);
 
-/// SCENE as it stands on the command line: a path, or a path and options between quotes. Throws UserError (wrong usage).
+/// SCENE as it stands on the command line: a path, or a path and options between quotes. Throws UserError (wrong
+/// usage).
 [[nodiscard]] BenchScene parse_scene(const std::string& text);
 
 /// A scene's variants: every algorithm with every combination of --vary.

@@ -72,8 +72,8 @@ bench::Variant variant_of(const BenchCommand& command, const BenchScene& scene, 
   return variant;
 }
 
-/// The values that set a switch of `own` back to the paper's, or switch off what the paper has, too; none where there is
-/// nothing to do.
+/// The values that set a switch of `own` back to the paper's, or switch off what the paper has, too; none where there
+/// is nothing to do.
 Picks back_to_paper(const Option& own, const Option& papers) {
   const nlohmann::ordered_json value = own.get(), back = papers.get();
   if (value == back) return value == "on" ? Picks{{own.key(), "off"}} : Picks{};

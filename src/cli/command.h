@@ -11,18 +11,19 @@ namespace crsh::cli {
 
 /// A row of the table, bound to the variable that it sets.
 struct Option {
-  std::string names;        ///< "-o,--output": the last one names it in JSON and messages
-  std::string value;        ///< placeholder in the help; empty: a flag
+  std::string names;  ///< "-o,--output": the last one names it in JSON and messages
+  std::string value;  ///< placeholder in the help; empty: a flag
   std::string help;
   /// Takes one value ("true" for a flag); throws UserError that says what is allowed.
   std::function<void(const std::string&)> set;
   /// The effective value, null where the scene decides; empty: no part of the effective options.
   std::function<nlohmann::ordered_json()> get = {};
-  bool repeats = false;     ///< every value is set; else only the last one
-  bool pixels = false;      ///< changes pixels: an attribute of the EXR
+  bool repeats = false;                     ///< every value is set; else only the last one
+  bool pixels = false;                      ///< changes pixels: an attribute of the EXR
   std::optional<std::string> initial = {};  ///< the default as the help shows it; none: as `get` has it
-  bool hidden = false;      ///< for tests: not in the help, and in the effective options only when set
-  std::vector<std::string> words = {};  ///< values with names, for shells to complete; a LIST has them with commas between
+  bool hidden = false;                      ///< for tests: not in the help, and in the effective options only when set
+  std::vector<std::string> words =
+      {};  ///< values with names, for shells to complete; a LIST has them with commas between
 
   /// The last of `names`, without its dashes.
   [[nodiscard]] std::string key() const;
@@ -46,7 +47,7 @@ struct Command {
   std::string help = {};  ///< the line that says more about it; empty: "crsh help NAME"
   std::vector<Positional> positionals;
   std::vector<OptionGroup> groups;
-  std::string epilogue;                           ///< examples: the end of the help
+  std::string epilogue;                                      ///< examples: the end of the help
   std::function<void(const std::vector<std::string>&)> run;  ///< gets the whole command line as it was given
 };
 

@@ -35,25 +35,27 @@ struct DiffCommand {
 };
 
 Option limit_row(std::string names, std::string help, std::string initial, std::optional<double>& limit, float high) {
-  return {.names = std::move(names), .value = "N", .help = std::move(help),
+  return {.names = std::move(names),
+          .value = "N",
+          .help = std::move(help),
           .set = [&limit, high](const std::string& text) { limit = double(parse_real(text, 0, high)); },
           .initial = std::move(initial)};
 }
 
 std::vector<OptionGroup> diff_options(DiffCommand& command) {
   constexpr float any = 1e30f;
-  return {
-      {"Tolerance",
-       {flag("--exact", "Every bit must be equal.", command.tolerance.exact),
-        limit_row("--fail", "A pixel fails when one of its channels differs by more.", "0.004", command.fail, any),
-        limit_row("--fail-percent", "Per cent of all pixels that may fail.", "0.1", command.fail_percent, 100),
-        limit_row("--hard-fail", "No pixel may differ by more.", "0.05, or --fail where that is more",
-                  command.hard_fail, any)}},
-      {"What and where to",
-       {with_words(layer_words(), text("--layers", "LIST", "Layers to compare, with commas between, or all.", command.layers)),
-        text("-o,--output", "FILE.png", "Write a picture: black where equal, white at the worst pixel.",
-             command.picture),
-        text("--json", "FILE|-", "Write the result as JSON.", command.json)}}};
+  return {{"Tolerance",
+           {flag("--exact", "Every bit must be equal.", command.tolerance.exact),
+            limit_row("--fail", "A pixel fails when one of its channels differs by more.", "0.004", command.fail, any),
+            limit_row("--fail-percent", "Per cent of all pixels that may fail.", "0.1", command.fail_percent, 100),
+            limit_row("--hard-fail", "No pixel may differ by more.", "0.05, or --fail where that is more",
+                      command.hard_fail, any)}},
+          {"What and where to",
+           {with_words(layer_words(),
+                       text("--layers", "LIST", "Layers to compare, with commas between, or all.", command.layers)),
+            text("-o,--output", "FILE.png", "Write a picture: black where equal, white at the worst pixel.",
+                 command.picture),
+            text("--json", "FILE|-", "Write the result as JSON.", command.json)}}};
 }
 
 void check(DiffCommand& command) {
@@ -79,10 +81,8 @@ void write_to(const std::string& path, const std::string& bytes) {
 
 /// The line is data, unless other data has standard output.
 void say_verdict(const DiffCommand& command, const std::string& line) {
-  if (command.json == "-" || command.picture == "-")
-    fmt::print(stderr, "{}\n", line);
-  else
-    output::write_stdout(line + "\n");
+  if (command.json == "-" || command.picture == "-") fmt::print(stderr, "{}\n", line);
+  else output::write_stdout(line + "\n");
 }
 
 void run_diff(DiffCommand& command) {
@@ -90,8 +90,7 @@ void run_diff(DiffCommand& command) {
   const output::Image a = output::read_image(command.a), b = output::read_image(command.b);
   const output::Comparison result = output::compare(a, b, split(command.layers, ','), command.tolerance);
   say_verdict(command, output::verdict(result, command.tolerance));
-  if (!command.json.empty())
-    write_to(command.json, output::diff_json(result, command.tolerance, command.a, command.b));
+  if (!command.json.empty()) write_to(command.json, output::diff_json(result, command.tolerance, command.a, command.b));
   if (!command.picture.empty() && result.mismatch.empty()) write_to(command.picture, output::difference_png(result));
   if (!result.same) throw UserError("", Exit::differ);
 }

@@ -47,7 +47,8 @@ Command info_command() {
   auto command = std::make_shared<InfoCommand>();
   return {.name = "info",
           .summary = "Lists the Vulkan devices, or what is in a scene.",
-          .positionals = {{.name = "SCENE", .required = false,
+          .positionals = {{.name = "SCENE",
+                           .required = false,
                            .set = [command](const std::string& path) { command->scene = path; }}},
           .groups = {{"Options", {flag("--json", "As JSON.", command->json)}}},
           .epilogue = notes,

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <algorithm>
 #include <memory>
 
 #include "cli/command.h"
@@ -75,7 +74,8 @@ double exposure_of(Run& run, const Layer& beauty) {
 void write_picture(Run& run, const Picture& picture, const output::PathPattern& pattern, const FrameTask& task) {
   const std::string path = pattern.at(task.number);
   if (pattern.format() == output::Format::exr) {
-    run.clamped += output::write_exr(path, picture, picture_layers(run.command.options.layers), attributes_of(run.command, task.seconds));
+    run.clamped += output::write_exr(path, picture, picture_layers(run.command.options.layers),
+                                     attributes_of(run.command, task.seconds));
   } else {
     const Layer& beauty = *picture.find("");
     const std::string bytes = output::encode_png(beauty, picture.width, picture.height, exposure_of(run, beauty));

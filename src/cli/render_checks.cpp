@@ -17,7 +17,8 @@ namespace {
 [[noreturn]] void misuse(const std::string& what) { throw UserError(what + " (see crsh help render)", Exit::usage); }
 
 void check_outputs(const RenderCommand& command) {
-  if (command.outputs.empty() && command.dump_rays.empty() && command.replay_rays.empty()) misuse("-o FILE is missing: where shall the picture go");
+  if (command.outputs.empty() && command.dump_rays.empty() && command.replay_rays.empty())
+    misuse("-o FILE is missing: where shall the picture go");
   const auto on_stdout = std::ranges::count_if(command.outputs, &output::PathPattern::to_stdout);
   if (on_stdout + (command.stats == "-") > 1) misuse("two outputs on standard output: give one of them a file");
   if (on_stdout && ::isatty(STDOUT_FILENO)) misuse("-o -: standard output is a terminal: redirect it, or name a file");
@@ -32,11 +33,14 @@ void check_rays(const RenderCommand& command) {
   const bool replays = !command.replay_rays.empty(), dumps = !command.dump_rays.empty();
   if (!replays && std::ranges::find(keys, rays::key_of_file) != keys.end())
     misuse("--key file: the keys are those of --replay-rays, which is missing");
-  if (dumps && !command.dump_rays.ends_with(".npz")) misuse(fmt::format("--dump-rays {}: .npz is written", command.dump_rays));
-  if ((dumps || replays) && command.frames) misuse("--dump-rays and --replay-rays are for one picture: give --time, not --frames");
+  if (dumps && !command.dump_rays.ends_with(".npz"))
+    misuse(fmt::format("--dump-rays {}: .npz is written", command.dump_rays));
+  if ((dumps || replays) && command.frames)
+    misuse("--dump-rays and --replay-rays are for one picture: give --time, not --frames");
   if (!replays) return;
   if (!command.outputs.empty()) misuse("--replay-rays makes no picture: give --stats or --dump-rays in place of -o");
-  if (command.stats.empty() && !dumps) misuse("--replay-rays: give --stats FILE or --dump-rays FILE for what becomes of the rays");
+  if (command.stats.empty() && !dumps)
+    misuse("--replay-rays: give --stats FILE or --dump-rays FILE for what becomes of the rays");
 }
 
 /// Files of all frames, each once: throws where one is named twice.

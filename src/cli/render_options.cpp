@@ -20,7 +20,9 @@ std::string with_commas(const std::vector<std::string_view>& words) { return fmt
 Json text_or_null(const std::optional<glm::vec3>& vector) { return vector ? Json(text_of(*vector)) : Json(); }
 
 Option vector_row(std::string names, std::string help, std::optional<glm::vec3>& variable) {
-  return {.names = std::move(names), .value = "X,Y,Z", .help = std::move(help),
+  return {.names = std::move(names),
+          .value = "X,Y,Z",
+          .help = std::move(help),
           .set = [&variable](const std::string& text) { variable = parse_vector(text); },
           .get = [&variable] { return text_or_null(variable); },
           .pixels = true};
@@ -74,19 +76,23 @@ std::vector<std::string> kind_names() {
 }
 
 Option rays_row(std::array<bool, kind_count>& rays) {
-  return {.names = "--rays", .value = "LIST", .help = "Kinds of rays to cast, with commas between; none: no rays.",
-          .set = [&rays](const std::string& text) {
-            std::array<bool, kind_count> chosen{};
-            if (text != "none")
-              for (const std::string& name : split(text, ',')) chosen[parse_choice(name, kind_names())] = true;
-            rays = chosen;
-          },
-          .get = [&rays] {
-            std::vector<std::string_view> chosen;
-            for (size_t kind = 0; kind < kind_count; ++kind)
-              if (rays[kind]) chosen.push_back(ray_kinds[kind].name);
-            return chosen.empty() ? "none" : with_commas(chosen);
-          },
+  return {.names = "--rays",
+          .value = "LIST",
+          .help = "Kinds of rays to cast, with commas between; none: no rays.",
+          .set =
+              [&rays](const std::string& text) {
+                std::array<bool, kind_count> chosen{};
+                if (text != "none")
+                  for (const std::string& name : split(text, ',')) chosen[parse_choice(name, kind_names())] = true;
+                rays = chosen;
+              },
+          .get =
+              [&rays] {
+                std::vector<std::string_view> chosen;
+                for (size_t kind = 0; kind < kind_count; ++kind)
+                  if (rays[kind]) chosen.push_back(ray_kinds[kind].name);
+                return chosen.empty() ? "none" : with_commas(chosen);
+              },
           .pixels = true,
           .words = kind_names()};
 }
@@ -105,7 +111,9 @@ OptionGroup picture_options(RenderOptions& options) {
 }
 
 Option fov_row(std::optional<float>& degrees) {
-  return {.names = "--fov", .value = "DEG", .help = "Vertical field of view in degrees.",
+  return {.names = "--fov",
+          .value = "DEG",
+          .help = "Vertical field of view in degrees.",
           .set = [&degrees](const std::string& text) { degrees = parse_real(text, 0.01f, 179.9f); },
           .get = [&degrees] { return degrees ? json_of(*degrees) : Json(); },
           .pixels = true};
@@ -121,11 +129,14 @@ Option orthographic_row(std::optional<float>& height) {
 }
 
 Option up_row(glm::vec3& up) {
-  return {.names = "--up", .value = "X,Y,Z", .help = "What is up in the picture.",
-          .set = [&up](const std::string& text) {
-            up = parse_vector(text);
-            if (up == glm::vec3(0)) refuse("a direction is allowed, not 0,0,0");
-          },
+  return {.names = "--up",
+          .value = "X,Y,Z",
+          .help = "What is up in the picture.",
+          .set =
+              [&up](const std::string& text) {
+                up = parse_vector(text);
+                if (up == glm::vec3(0)) refuse("a direction is allowed, not 0,0,0");
+              },
           .get = [&up] { return text_of(up); },
           .pixels = true};
 }
@@ -161,12 +172,14 @@ Option light_row(std::vector<LightOption>& lights) {
 }
 
 Option hide_row(std::vector<std::string>& hidden) {
-  return {.names = "--hide", .value = "INDEX|NAME",
-          .help = "Leave out an object: its index (Object.id less 1), or the name of a node with all below it. Repeats.",
-          .set = [&hidden](const std::string& text) { hidden.push_back(text); },
-          .get = [&hidden] { return hidden.empty() ? Json() : Json(hidden); },
-          .repeats = true,
-          .pixels = true};
+  return {
+      .names = "--hide",
+      .value = "INDEX|NAME",
+      .help = "Leave out an object: its index (Object.id less 1), or the name of a node with all below it. Repeats.",
+      .set = [&hidden](const std::string& text) { hidden.push_back(text); },
+      .get = [&hidden] { return hidden.empty() ? Json() : Json(hidden); },
+      .repeats = true,
+      .pixels = true};
 }
 
 OptionGroup scene_options(RenderOptions& options) {
@@ -206,12 +219,14 @@ Option frames_row(std::optional<FrameRange>& frames) {
 
 /// Its pixels are each frame's own: see frame_tasks.
 Option time_row(std::optional<float>& seconds) {
-  return {.names = "--time", .value = "SECONDS", .help = "Render the scene at this time of its animation.",
-          .set = [&seconds](const std::string& text) {
-            seconds = parse_real(text, 0, std::numeric_limits<float>::max());
-          },
-          .get = [&seconds] { return seconds ? json_of(*seconds) : Json(); },
-          .pixels = true, .initial = "0"};
+  return {
+      .names = "--time",
+      .value = "SECONDS",
+      .help = "Render the scene at this time of its animation.",
+      .set = [&seconds](const std::string& text) { seconds = parse_real(text, 0, std::numeric_limits<float>::max()); },
+      .get = [&seconds] { return seconds ? json_of(*seconds) : Json(); },
+      .pixels = true,
+      .initial = "0"};
 }
 
 OptionGroup time_options(RenderCommand& command) {
@@ -229,16 +244,21 @@ OptionGroup time_options(RenderCommand& command) {
 }
 
 Option memory_row(uint64_t& bytes) {
-  return {.names = "--max-memory", .value = "MIB", .help = "Device memory to use at most, in MiB.",
+  return {.names = "--max-memory",
+          .value = "MIB",
+          .help = "Device memory to use at most, in MiB.",
           .set = [&bytes](const std::string& text) { bytes = parse_integer(text, 1, uint64_t(1) << 24) * mebibyte; },
           .get = [&bytes] { return bytes ? Json(bytes / mebibyte) : Json(); }};
 }
 
 Option mutation_row(std::optional<std::string>& mutation) {
-  return {.names = "--mutation", .value = "NAME", .help = "A fault to switch on.",
+  return {.names = "--mutation",
+          .value = "NAME",
+          .help = "A fault to switch on.",
           .set = [&mutation](const std::string& text) { mutation = text; },
           .get = [&mutation] { return mutation ? Json(*mutation) : Json(); },
-          .pixels = true, .hidden = true};
+          .pixels = true,
+          .hidden = true};
 }
 
 OptionGroup device_options(RenderCommand& command) {
@@ -299,8 +319,12 @@ OptionGroup output_options(RenderCommand& command) {
 }  // namespace
 
 std::vector<OptionGroup> render_options(RenderCommand& command) {
-  return {output_options(command), picture_options(command.options), scene_options(command.options),
-          time_options(command), algorithm_options(command.options.algorithm), device_options(command)};
+  return {output_options(command),
+          picture_options(command.options),
+          scene_options(command.options),
+          time_options(command),
+          algorithm_options(command.options.algorithm),
+          device_options(command)};
 }
 
 output::Attributes attributes_of(RenderCommand& command, double seconds) {

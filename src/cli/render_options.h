@@ -34,10 +34,10 @@ struct RenderCommand {
   RenderOptions options;
   gpu::DeviceRequest device;
   std::vector<output::PathPattern> outputs;
-  std::string stats;                                 ///< path, "-" or empty
-  std::string dump_rays, replay_rays;                ///< paths or empty
-  std::optional<float> exposure = 0.0f;              ///< stops; none: automatic
-  std::optional<float> seconds;                      ///< --time
+  std::string stats;                     ///< path, "-" or empty
+  std::string dump_rays, replay_rays;    ///< paths or empty
+  std::optional<float> exposure = 0.0f;  ///< stops; none: automatic
+  std::optional<float> seconds;          ///< --time
   std::optional<FrameRange> frames;
   float frames_per_second = 24;
   ProgressChoice progress = ProgressChoice::automatic;

@@ -13,8 +13,13 @@
 namespace crsh::cli {
 
 inline Option flag(std::string names, std::string help, bool& variable) {
-  return {.names = std::move(names), .value = {}, .help = std::move(help),
-          .set = [&variable](const std::string& text) { variable = parse_choice(text, {"false", "true"}) == 1; },
+  return {.names = std::move(names),
+          .value = {},
+          .help = std::move(help),
+          .set =
+              [&variable](const std::string& text) {
+                variable = parse_choice(text, {"false", "true"}) == 1;
+              },
           .get = [&variable] { return variable; }};
 }
 
@@ -30,15 +35,18 @@ inline Option text(std::string names, std::string value, std::string help, std::
 
 template <class Integer>
 Option integer(std::string names, std::string value, std::string help, Integer& variable, uint64_t low, uint64_t high) {
-  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
-          .set = [&variable, low, high](const std::string& given) {
-            variable = static_cast<Integer>(parse_integer(given, low, high));
-          },
+  return {.names = std::move(names),
+          .value = std::move(value),
+          .help = std::move(help),
+          .set = [&variable, low,
+                  high](const std::string& given) { variable = static_cast<Integer>(parse_integer(given, low, high)); },
           .get = [&variable] { return variable; }};
 }
 
 inline Option real(std::string names, std::string value, std::string help, float& variable, float low, float high) {
-  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
+  return {.names = std::move(names),
+          .value = std::move(value),
+          .help = std::move(help),
           .set = [&variable, low, high](const std::string& given) { variable = parse_real(given, low, high); },
           .get = [&variable] { return json_of(variable); }};
 }
@@ -46,12 +54,13 @@ inline Option real(std::string names, std::string value, std::string help, float
 /// `words` by the enumeration's (or bool's) value; `value` shows them in the help.
 template <class Enum>
 Option choice(std::string names, std::string value, std::string help, Enum& variable, std::vector<std::string> words) {
-  return {.names = std::move(names), .value = std::move(value), .help = std::move(help),
-          .set = [&variable, words](const std::string& given) {
-            variable = static_cast<Enum>(parse_choice(given, words));
-          },
-          .get = [&variable, words] { return words[static_cast<size_t>(variable)]; },
-          .words = words};
+  return {
+      .names = std::move(names),
+      .value = std::move(value),
+      .help = std::move(help),
+      .set = [&variable, words](const std::string& given) { variable = static_cast<Enum>(parse_choice(given, words)); },
+      .get = [&variable, words] { return words[static_cast<size_t>(variable)]; },
+      .words = words};
 }
 
 inline Option on_off(std::string names, std::string help, bool& variable) {

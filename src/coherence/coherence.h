@@ -15,16 +15,16 @@ namespace crsh::coherence {
 struct OrderIn {
   const rays::Batch& batch;
   const rays::Keys& keys;
-  scene::Bounds bounds;      ///< of the scene, metres: where origins lie
-  bool compression = true;   ///< sort chunks instead of rays; the order is the same
-  bool unstable = false;     ///< test-only fault: equal keys change their order
+  scene::Bounds bounds;     ///< of the scene, metres: where origins lie
+  bool compression = true;  ///< sort chunks instead of rays; the order is the same
+  bool unstable = false;    ///< test-only fault: equal keys change their order
 };
 
 /// The batch's rays sorted by key, equal keys in the order of creation. Segments keep their places.
 struct Order {
-  gpu::Buffer order;                   ///< uint a place: the ray, an index into Batch::rays
-  std::vector<uint32_t> chunks;        ///< a segment: chunks that its rays were compressed to; 0 without compression
-  bool as_created = false;             ///< no ray has a key: order[i] == i
+  gpu::Buffer order;             ///< uint a place: the ray, an index into Batch::rays
+  std::vector<uint32_t> chunks;  ///< a segment: chunks that its rays were compressed to; 0 without compression
+  bool as_created = false;       ///< no ray has a key: order[i] == i
 };
 
 /// What sorting needs besides, kept between calls.

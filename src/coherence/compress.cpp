@@ -23,13 +23,17 @@ struct DecompressPush {
 struct FillShape {
   uint32_t run, group;
 };
-FillShape fill_shape(const gpu::Device& device) { return device.info().software ? FillShape{256, 16} : FillShape{16, 64}; }
+FillShape fill_shape(const gpu::Device& device) {
+  return device.info().software ? FillShape{256, 16} : FillShape{16, 64};
+}
 
 }  // namespace
 
-void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buffer& pairs, uint32_t ray_count, Chunks& out) {
+void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buffer& pairs, uint32_t ray_count,
+              Chunks& out) {
   grow(recorder, scratch.flags, quad_bytes(ray_count), "compress.flags");
-  recorder.dispatch("coherence/flag_heads", (uint64_t(ray_count) + 3) / 4, ray_count, {pairs, scratch.flags}, ray_count);
+  recorder.dispatch("coherence/flag_heads", (uint64_t(ray_count) + 3) / 4, ray_count, {pairs, scratch.flags},
+                    ray_count);
   out.count = primitives::compact(recorder, scratch.compact, scratch.flags, ray_count, out.bases);
   grow(recorder, out.pairs, primitives::pair_bytes(out.count), "chunks.pairs");
   grow(recorder, out.sizes, quad_bytes(out.count), "chunks.sizes");

@@ -29,11 +29,12 @@ struct CompressScratch {
 
 /// Compresses `ray_count` pairs, uvec2 (key, ray) with ray i at place i, into `out`: head flags where the key changes,
 /// their scan, and from it key, base and size of each chunk. Submits and waits for their number. (Figure 5.)
-void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buffer& pairs, uint32_t ray_count, Chunks& out);
+void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buffer& pairs, uint32_t ray_count,
+              Chunks& out);
 
 /// Chunks of each segment. Submits and waits where there is more than one segment with rays.
-[[nodiscard]] std::vector<uint32_t> count_chunks(gpu::Recorder& recorder, CompressScratch& scratch, const Chunks& chunks,
-                                                 const std::vector<rays::Segment>& segments);
+[[nodiscard]] std::vector<uint32_t> count_chunks(gpu::Recorder& recorder, CompressScratch& scratch,
+                                                 const Chunks& chunks, const std::vector<rays::Segment>& segments);
 
 /// Fills `order`, a uint for each of `ray_count` places, with the rays of the chunks in the order `sorted` (a uint a
 /// place: the chunk): skeleton array, its exclusive scan, and the filling. (Figure 6.)

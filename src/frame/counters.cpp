@@ -33,8 +33,7 @@ void add_nodes(const std::vector<glm::vec2>& spreads, hierarchy::Range range, Le
 
 }  // namespace
 
-Counters::Counters(gpu::Device& device, uint32_t bounces)
-    : rows_((bounces + 1) * static_cast<uint32_t>(kind_count)) {
+Counters::Counters(gpu::Device& device, uint32_t bounces) : rows_((bounces + 1) * static_cast<uint32_t>(kind_count)) {
   buffer_ = gpu::Buffer(device, uint64_t(rows_) * shared::counters_per_row * sizeof(glm::uvec2), "counters");
 }
 

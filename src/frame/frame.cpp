@@ -17,7 +17,8 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
                                shading::Generation& generation, uint32_t bounce) {
   rays::Batch& batch = s.batch.rays;
   batch.segments.clear();
-  for (const rays::Wanted& wanted : plan.segments) batch.segments.push_back({.kind = wanted.kind, .light = wanted.light});
+  for (const rays::Wanted& wanted : plan.segments)
+    batch.segments.push_back({.kind = wanted.kind, .light = wanted.light});
   batch.surfaces = plan.surfaces;
   s.recorder.stage(gpu::Stage::ray_creation);
   rays::create(s.recorder, {surfaces, s.gpu_scene, plan, s.options.override_mirror}, s.batch.sparse, generation);
@@ -66,9 +67,10 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
   shading::Surfaces& surfaces = s.paths.surfaces(bounce);
   shading::Surfaces& next = s.paths.surfaces(bounce + 1);
   shading::Generation& generation = s.paths.generations[bounce];
-  const std::vector<rays::BatchPlan> plans =
-      rays::plan_batches({.surfaces = surfaces.count, .lights = s.gpu_scene.light_count,
-                          .kinds = rays::kinds_at(s.options, bounce), .mixed = s.options.algorithm.mixed_batches});
+  const std::vector<rays::BatchPlan> plans = rays::plan_batches({.surfaces = surfaces.count,
+                                                                 .lights = s.gpu_scene.light_count,
+                                                                 .kinds = rays::kinds_at(s.options, bounce),
+                                                                 .mixed = s.options.algorithm.mixed_batches});
   drop_children(s, generation);
   const uint32_t room = most_children(s, plans);
   const auto closest_plans = std::count_if(plans.begin(), plans.end(), casts_closest);
@@ -83,9 +85,11 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
     if (!casts_closest(plan)) continue;
     shading::Children children = children_of(s.batch.rays, plan, next.count);
     const uint32_t count = batch.count - std::min(batch.count, children.first_ray);
-    if (next.count == 0) shading::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
-    shading::surfaces_from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, count, surfaces},
-                                next, s.paths.generations[bounce + 1]);
+    if (next.count == 0)
+      shading::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
+    shading::surfaces_from_hits(s.recorder,
+                                {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, count, surfaces}, next,
+                                s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }
 }
@@ -132,8 +136,8 @@ void render_sample(Renderer::State& s, const raster::CameraView& view, const Ren
                                    std::min(s.portion, pixels - first)},
                                   s.paths.first, s.paths.generations[0]);
     trace_paths(s, progress, done, share);
-    shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene,
-                                     view}, s.film);
+    shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene, view},
+                        s.film);
   }
 }
 

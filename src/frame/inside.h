@@ -6,8 +6,8 @@
 
 namespace crsh {
 
-/// A node of the ray hierarchy, whatever its bound: a ball that holds the origins of its rays, and a cone that holds their
-/// directions. Metres, radians.
+/// A node of the ray hierarchy, whatever its bound: a ball that holds the origins of its rays, and a cone that holds
+/// their directions. Metres, radians.
 struct RayNode {
   glm::vec3 centre{0};
   float radius = 0;

@@ -14,8 +14,23 @@ namespace crsh {
 
 /// Rows of layer_table.
 enum class LayerId {
-  beauty, direct, emission, reflection, refraction, background, albedo, f0, shadow, position, normal, depth, object,
-  material, triangle_tests, node_tests, object_tests
+  beauty,
+  direct,
+  emission,
+  reflection,
+  refraction,
+  background,
+  albedo,
+  f0,
+  shadow,
+  position,
+  normal,
+  depth,
+  object,
+  material,
+  triangle_tests,
+  node_tests,
+  object_tests
 };
 inline constexpr size_t layer_count = 17;
 

@@ -36,7 +36,8 @@ RayNode of_bound(const shared::Slab& node) {
     if (length > 0)
       made.half_angle = std::max(made.half_angle, std::acos(glm::clamp(glm::dot(at, made.axis) / length, -1.0f, 1.0f)));
   }
-  if (made.half_angle > float(std::numbers::pi) / 2) made.half_angle = float(std::numbers::pi);  // a box about all sides
+  if (made.half_angle > float(std::numbers::pi) / 2)
+    made.half_angle = float(std::numbers::pi);  // a box about all sides
   return made;
 }
 

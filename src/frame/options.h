@@ -40,15 +40,16 @@ enum class Tracing { nodes, brute, single_rays, ray_query };
 struct AlgorithmOptions {
   bool operator==(const AlgorithmOptions&) const = default;
   std::string preset = "crsh-bvh";
-  Tracing tracing = Tracing::nodes;           ///< brute: every ray against every triangle. Unless nodes: no switch matters
-  bool object_hierarchy = false;             ///< there is one over the triangles (objects/)
+  Tracing tracing = Tracing::nodes;  ///< brute: every ray against every triangle. Unless nodes: no switch matters
+  bool object_hierarchy = false;     ///< there is one over the triangles (objects/)
   std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
   RayOrder ray_order = RayOrder::scanline;
   bool compression = true;
   NodeCut nodes = NodeCut::fixed;
   float cut_angle = 0.1f;  ///< radians: cut level-1 nodes end where rays are farther from the first
   float cut_distance = 4;  ///< of the scene's longest edge: so does the distance of their origins
-  float least_rays = 2;    ///< where cut nodes would hold fewer, unsorted and on average, rays go one by one (object_hierarchy)
+  float least_rays =
+      2;  ///< where cut nodes would hold fewer, unsorted and on average, rays go one by one (object_hierarchy)
   uint32_t arity = 8;
   std::array<uint32_t, kind_count> levels = {2, 2, 2};
   std::string bound = "sphere-cone";
@@ -74,8 +75,8 @@ struct RenderOptions {
   std::optional<glm::vec3> background = glm::vec3(0);  ///< none: transparent
   std::string scene, camera, animation;                ///< index or name; empty: the default
   ViewOption view;
-  std::vector<std::string> hidden;                     ///< instances that are left out, by index or name (scene/hide.h)
-  std::vector<LightOption> lights;                     ///< not empty: they replace the file's
+  std::vector<std::string> hidden;  ///< instances that are left out, by index or name (scene/hide.h)
+  std::vector<LightOption> lights;  ///< not empty: they replace the file's
   std::array<bool, kind_count> rays = {true, true, true};
   bool override_mirror = false;
   LayerSet layers = default_layers;  ///< of the picture, besides the beauty

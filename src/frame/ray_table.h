@@ -8,8 +8,8 @@
 
 namespace crsh {
 
-/// Columns of equal length, or empty where nothing is known; a row a ray. A frame's rows are in order of creation: by sample and portion of the image, by bounce,
-/// by kind, by light.
+/// Columns of equal length, or empty where nothing is known; a row a ray. A frame's rows are in order of creation: by
+/// sample and portion of the image, by bounce, by kind, by light.
 struct RayTable {
   // What is traced.
   std::vector<glm::vec3> origin;     ///< metres; a shadow ray's is the light's end

@@ -36,12 +36,13 @@ class Renderer {
   /// Adds one sample to the picture that render() made last, of the same `seconds`: what render() would make of one
   /// more --samples, bit for bit. Not after a render() or refine() that threw.
   [[nodiscard]] Picture refine(double seconds, const Progress& progress = {});
-  /// Other options for the same scene, as if it were a new Renderer, but for --max-memory; statistics begin anew. Throws
-  /// UserError, and then the old options stay.
+  /// Other options for the same scene, as if it were a new Renderer, but for --max-memory; statistics begin anew.
+  /// Throws UserError, and then the old options stay.
   void change(const RenderOptions& options);
   /// The next frame builds the object hierarchy, as if it were the first: later boxes depend on the frames before.
   void forget_objects();
-  /// Called before the device is given work; may throw to cancel render() and refine(), after which render() is right again.
+  /// Called before the device is given work; may throw to cancel render() and refine(), after which render() is right
+  /// again.
   void on_submit(std::function<void()> call);
 
   /// Every render() from here on fills `nodes` with those over all its rays; null: none does.

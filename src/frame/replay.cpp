@@ -22,8 +22,8 @@ struct Uploaded {
 Uploaded uploaded(const RayTable& table, const ReplayBatch& batch) {
   Uploaded data;
   for (const uint32_t row : batch.rows) {
-    data.rays.push_back({glm::vec4(table.origin[row], table.tmax[row]),
-                         glm::vec4(table.direction[row], float(table.kind[row]))});
+    data.rays.push_back(
+        {glm::vec4(table.origin[row], table.tmax[row]), glm::vec4(table.direction[row], float(table.kind[row]))});
     data.pixels.push_back({0, 0, 0, std::bit_cast<float>(table.pixel[row])});
     data.paths.push_back({0, 0, 0, std::bit_cast<float>(table.path[row])});
   }
@@ -81,7 +81,8 @@ void replay_rays(Renderer::State& s, const RayTable& table, double seconds) {
     put(s.recorder, batch.slots, data.slots, "rays.slots");
     put(s.recorder, pixels, data.pixels, "pixels");
     put(s.recorder, paths, data.paths, "paths");
-    if (!table.key.empty()) put(s.recorder, batch.given_keys, ranks_of_keys(table, part, batch.given_bits), "given keys");
+    if (!table.key.empty())
+      put(s.recorder, batch.given_keys, ranks_of_keys(table, part, batch.given_bits), "given keys");
     trace(s, part.bounce, {pixels, paths, 0});
     rows.insert(rows.end(), part.rows.begin(), part.rows.end());
   }

@@ -62,15 +62,15 @@ struct Renderer::State {
   const scene::Scene& scene;
   RenderOptions options;
   gpu::Recorder recorder;
-  scene::Bounds first_bounds;             ///< of the scene at time 0
+  scene::Bounds first_bounds;  ///< of the scene at time 0
   std::optional<uint32_t> animation;
   raster::ImageSize size;
   scene::LightRig lights;
   scene::GpuScene gpu_scene;
-  objects::Hierarchy objects;             ///< where the algorithm wants one
+  objects::Hierarchy objects;               ///< where the algorithm wants one
   objects::DeviceHierarchy device_objects;  ///< the device's own, where the algorithm wants that
-  bool placing = false;                   ///< objects are being placed: not to be left half-way
-  bool plain = false;                     ///< every triangle blocks, from either side
+  bool placing = false;                     ///< objects are being placed: not to be left half-way
+  bool plain = false;                       ///< every triangle blocks, from either side
   std::optional<Counters> counters;
   raster::GBuffer gbuffer;
   PathBuffers paths;

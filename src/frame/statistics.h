@@ -25,9 +25,9 @@ struct RayStatistics {
   std::string kind;
   uint32_t bounce = 0;
   uint64_t count = 0, hits = 0, hits_digest = 0, chunks = 0;
-  uint64_t triangles = 0;                    ///< drawn: brute force is count × triangles
+  uint64_t triangles = 0;  ///< drawn: brute force is count × triangles
   uint64_t mesh_tests = 0, box_tests = 0;
-  std::vector<LevelStatistics> levels;       ///< the top level first
+  std::vector<LevelStatistics> levels;  ///< the top level first
   uint64_t triangle_tests = 0;
   [[nodiscard]] uint64_t object_tests() const { return mesh_tests + box_tests; }
   [[nodiscard]] uint64_t paper_tests() const;  ///< Σ levels.tests + triangle_tests
@@ -35,8 +35,8 @@ struct RayStatistics {
 };
 
 struct FrameTime {
-  double total_ms = 0;                                ///< wall clock of the frame, all samples
-  std::array<double, gpu::stage_count> stage_ms{};    ///< GPU timestamps
+  double total_ms = 0;                              ///< wall clock of the frame, all samples
+  std::array<double, gpu::stage_count> stage_ms{};  ///< GPU timestamps
 };
 
 /// What the object hierarchy took, where the algorithm has one.

@@ -151,8 +151,8 @@ void find_scattered(Renderer::State& s) {
   const AlgorithmOptions& options = s.options.algorithm;
   const bool may_be = options.object_hierarchy && options.nodes == NodeCut::cut && options.least_rays > 0;
   if (tracing_of(s) != Tracing::nodes || !may_be) return;
-  const std::vector<float> means = hierarchy::rays_a_node(
-      s.recorder, {s.batch.rays, options, s.gpu_scene.bounds.longest_edge()}, s.batch.sampled);
+  const std::vector<float> means =
+      hierarchy::rays_a_node(s.recorder, {s.batch.rays, options, s.gpu_scene.bounds.longest_edge()}, s.batch.sampled);
   for (size_t i = 0; i < means.size(); ++i) s.batch.rays.segments[i].alone = means[i] < options.least_rays;
 }
 
@@ -173,8 +173,8 @@ Tracing tracing_of(const Renderer::State& s) {
   if (options.tracing != Tracing::nodes || !options.object_hierarchy) return options.tracing;
   const std::vector<rays::Segment>& segments = s.batch.rays.segments;
   const bool all_alone = !segments.empty() && std::ranges::all_of(segments, [](const rays::Segment& segment) {
-                           return segment.count == 0 || segment.alone;
-                         });
+    return segment.count == 0 || segment.alone;
+  });
   return s.gpu_scene.triangle_count <= few_triangles || all_alone ? Tracing::single_rays : Tracing::nodes;
 }
 

@@ -8,8 +8,8 @@ namespace crsh {
 /// Step 1 (section 3.2.1): objects, their bounds and the hierarchy over them as they stand in this pose.
 void place_objects(Renderer::State& state, const scene::Pose& pose);
 
-/// What meets the scene: as the options say, but single rays in place of nodes where the object hierarchy holds so little,
-/// or all rays of the batch are so scattered, that sorting would cost more than it saves.
+/// What meets the scene: as the options say, but single rays in place of nodes where the object hierarchy holds so
+/// little, or all rays of the batch are so scattered, that sorting would cost more than it saves.
 [[nodiscard]] Tracing tracing_of(const Renderer::State& state);
 
 /// Whose rays a batch holds: the pixel and path of each slot's surface, as shading::Surfaces have them.

@@ -60,8 +60,8 @@ void AccelerationStructure::load_functions() {
 void AccelerationStructure::make(Level& level, VkAccelerationStructureTypeKHR type,
                                  const VkAccelerationStructureGeometryKHR& geometry, uint32_t count, const char* name) {
   const VkAccelerationStructureBuildGeometryInfoKHR info = build_info(type, geometry);
-  VkAccelerationStructureBuildSizesInfoKHR sizes{
-      .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR};
+  VkAccelerationStructureBuildSizesInfoKHR sizes{.sType =
+                                                     VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR};
   sizes_(device_.handle(), VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info, &count, &sizes);
   level.memory = Buffer(device_, sizes.accelerationStructureSize, name);
   level.scratch = Buffer(device_, sizes.buildScratchSize + scratch_alignment_, "scratch of the acceleration structure");
@@ -129,7 +129,8 @@ void AccelerationStructure::record(VkCommandBuffer commands, const Level& level,
 
 void AccelerationStructure::record_bottom(VkCommandBuffer commands, const Buffer& corners) const {
   CRSH_ASSERT(corners.bytes() >= 3 * corner_bytes * triangles_, "an acceleration structure over too few corners");
-  record(commands, bottom_, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, triangles_of(address(corners)), triangles_);
+  record(commands, bottom_, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, triangles_of(address(corners)),
+         triangles_);
 }
 
 void AccelerationStructure::record_top(VkCommandBuffer commands) const {

@@ -25,10 +25,10 @@ struct DeviceInfo {
   std::string type;  ///< "discrete", "integrated", "virtual", "cpu" or "other"
   std::string uuid;  ///< 32 hex digits with dashes
   uint32_t subgroup_size = 0;
-  bool software = false;  ///< the device is a CPU
-  bool shuffles = false;  ///< compute shaders may pass values between lanes
+  bool software = false;     ///< the device is a CPU
+  bool shuffles = false;     ///< compute shaders may pass values between lanes
   bool ray_queries = false;  ///< it has acceleration structures and ray queries of its own
-  std::string unusable;   ///< why it cannot be used; empty when it can
+  std::string unusable;      ///< why it cannot be used; empty when it can
 };
 
 /// Limits that buffers, bindings and dispatches respect. Bytes unless said otherwise.
@@ -47,7 +47,8 @@ struct DeviceRequest {
   bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
   bool no_ray_queries = false;  ///< as if the device had none (tests of what other devices do)
   bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
-  std::vector<std::string> window_extensions;  ///< of the instance, as the window system asks for them; empty: no window
+  /// of the instance, as the window system asks for them; empty: no window
+  std::vector<std::string> window_extensions;
   uint64_t first_capacity = 0;  ///< growing buffers start with so many bytes (tests); 0: what is asked for
 };
 
@@ -83,9 +84,7 @@ class Device {
   [[nodiscard]] bool may_shuffle() const { return info_.shuffles && !request_.walk_alone; }
   /// What follows the name of a kernel that comes in two builds (lib/together.glsl): nothing where subgroups read lists
   /// together, which pays on a CPU, or "-alone".
-  [[nodiscard]] const char* lanes() const {
-    return info_.software && may_shuffle() ? "" : "-alone";
-  }
+  [[nodiscard]] const char* lanes() const { return info_.software && may_shuffle() ? "" : "-alone"; }
   /// Pipelines are made anew at their next use. None may be in use.
   void forget_programs();
   /// Names of the compute shaders in use: "coherence/trim.comp".

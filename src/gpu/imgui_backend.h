@@ -1,6 +1,6 @@
 #pragma once
-// Dear ImGui's Vulkan backend, as Debian packages it: the one place that knows how 1.86 and 1.90 differ in it. Both know
-// render passes only, and 1.86 no pictures: these are the swapchain's.
+// Dear ImGui's Vulkan backend, as Debian packages it: the one place that knows how 1.86 and 1.90 differ in it. Both
+// know render passes only, and 1.86 no pictures: these are the swapchain's.
 
 #include <vulkan/vulkan.h>
 

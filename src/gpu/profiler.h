@@ -14,13 +14,28 @@ namespace crsh::gpu {
 
 /// The rows of the paper's Table 3, with the raster pass, shading and the object hierarchy besides.
 enum class Stage : uint32_t {
-  raster, ray_creation, ray_compression, ray_sorting, ray_decompression, hierarchy_creation, hierarchy_traversal,
-  final_intersection, shading, object_hierarchy
+  raster,
+  ray_creation,
+  ray_compression,
+  ray_sorting,
+  ray_decompression,
+  hierarchy_creation,
+  hierarchy_traversal,
+  final_intersection,
+  shading,
+  object_hierarchy
 };
 inline constexpr size_t stage_count = 10;
-inline constexpr std::array<std::string_view, stage_count> stage_names = {
-    "raster", "ray creation", "ray compression", "ray sorting", "ray decompression", "hierarchy creation",
-    "hierarchy traversal", "final intersection", "shading", "object hierarchy"};
+inline constexpr std::array<std::string_view, stage_count> stage_names = {"raster",
+                                                                          "ray creation",
+                                                                          "ray compression",
+                                                                          "ray sorting",
+                                                                          "ray decompression",
+                                                                          "hierarchy creation",
+                                                                          "hierarchy traversal",
+                                                                          "final intersection",
+                                                                          "shading",
+                                                                          "object hierarchy"};
 
 /// Writes a timestamp at every change of stage and at the end of a submit; sums up the spans a stage.
 class Profiler {
@@ -34,12 +49,12 @@ class Profiler {
   [[nodiscard]] std::array<double, stage_count> take_milliseconds();
 
   // For Recorder only.
-  void begin(VkCommandBuffer commands);                ///< of a command buffer: resets the queries, opens the span
+  void begin(VkCommandBuffer commands);  ///< of a command buffer: resets the queries, opens the span
   /// Closes the span that is open and opens the next; without commands, only says what the next begin opens.
   void change(VkCommandBuffer commands, Stage stage);
-  [[nodiscard]] bool full() const;                     ///< no room for another span in this command buffer
-  void end(VkCommandBuffer commands);                  ///< closes the span
-  void collect();                                      ///< after the submit is done: reads the queries
+  [[nodiscard]] bool full() const;     ///< no room for another span in this command buffer
+  void end(VkCommandBuffer commands);  ///< closes the span
+  void collect();                      ///< after the submit is done: reads the queries
 
  private:
   void write_timestamp(VkCommandBuffer commands);
@@ -47,7 +62,7 @@ class Profiler {
   Device& device_;
   VkQueryPool pool_ = VK_NULL_HANDLE;  ///< none where the queue has no timestamps: all times are 0 then
   uint64_t tick_mask_ = 0;             ///< the bits of a timestamp that are valid
-  std::vector<Stage> spans_;  ///< the stage that began at each timestamp of this command buffer
+  std::vector<Stage> spans_;           ///< the stage that began at each timestamp of this command buffer
   Stage stage_ = Stage::raster;
   std::array<double, stage_count> nanoseconds_{};
 };

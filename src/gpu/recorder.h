@@ -96,10 +96,8 @@ class Recorder {
 
   template <class Push>
   [[nodiscard]] static Bytes bytes_of(const Push& push) {
-    if constexpr (std::is_empty_v<Push>)
-      return {};
-    else
-      return std::as_bytes(std::span(&push, 1));
+    if constexpr (std::is_empty_v<Push>) return {};
+    else return std::as_bytes(std::span(&push, 1));
   }
 
   void dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, Arguments arguments, uint64_t work);

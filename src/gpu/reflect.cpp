@@ -23,7 +23,6 @@ void require(bool condition, const std::string& why) {
   if (!condition) throw Unreadable{why};
 }
 
-
 constexpr size_t header_words = 5;
 constexpr uint32_t max_push_bytes = 128;  // what every device allows
 
@@ -155,14 +154,13 @@ std::optional<Resource> resource_of(const Module& module, SpvStorageClass storag
   if (storage == SpvStorageClassStorageBuffer) return Resource::storage_buffer;
   if (storage == SpvStorageClassUniform) {
     require(module.buffer_block.contains(pointee),
-                "uniform buffers are not supported: use a push constant or a buffer");
+            "uniform buffers are not supported: use a push constant or a buffer");
     return Resource::storage_buffer;
   }
   if (storage != SpvStorageClassUniformConstant) return std::nullopt;
   const Definition& type = module.at(pointee);
   if (type.op == SpvOpTypeAccelerationStructureKHR) return Resource::acceleration_structure;
-  require(type.op == SpvOpTypeImage && type.operands[6] == 2,
-              "of images, only single storage images are supported");
+  require(type.op == SpvOpTypeImage && type.operands[6] == 2, "of images, only single storage images are supported");
   return Resource::storage_image;
 }
 

@@ -51,7 +51,8 @@ class Swapchain {
   [[nodiscard]] VkExtent2D size() const { return size_; }
 
   /// Draws and presents the next image. Makes the images anew where the window has another size. Returns false, with
-  /// nothing drawn, where the window has no pixels (minimised) or changed meanwhile. `screenshot`, if any, gets the image.
+  /// nothing drawn, where the window has no pixels (minimised) or changed meanwhile. `screenshot`, if any, gets the
+  /// image.
   bool draw(const WindowFrame& window, Screenshot* screenshot = nullptr);
   /// Until the last frame is drawn: its textures and buffers may go then.
   void wait();

@@ -28,8 +28,9 @@ struct AccountIn {
   const gpu::Buffer& pixels;   ///< vec4 a surface, whose w has the bits of its pixel (Surfaces::diffuse)
 };
 
-/// One word a ray, in creation order, and a node of each level. A kernel that tests is dispatched as kernel(path), binds
-/// buffer_or(anything), and is told first(kind, level); with a default-constructed account it does no more than before.
+/// One word a ray, in creation order, and a node of each level. A kernel that tests is dispatched as kernel(path),
+/// binds buffer_or(anything), and is told first(kind, level); with a default-constructed account it does no more than
+/// before.
 class Account {
  public:
   /// Empties the account for a batch of so many rays and its hierarchy. May submit.
@@ -39,8 +40,8 @@ class Account {
   [[nodiscard]] gpu::Kernel kernel(std::string path, std::vector<std::pair<uint32_t, uint32_t>> constants = {}) const;
   /// What to bind; `stand_in` where nothing is wanted.
   [[nodiscard]] const gpu::Buffer& buffer_or(const gpu::Buffer& stand_in) const;
-  /// Slot of ray 0 (level 0) or of node 0 of a level; 0 where this kind is not wanted. Rays are tested against triangles
-  /// and objects, nodes count as tests_node or tests_object.
+  /// Slot of ray 0 (level 0) or of node 0 of a level; 0 where this kind is not wanted. Rays are tested against
+  /// triangles and objects, nodes count as tests_node or tests_object.
   [[nodiscard]] uint32_t first(uint32_t kind, uint32_t level) const;
 
   [[nodiscard]] bool wants(uint32_t kind) const { return wanted_[kind]; }

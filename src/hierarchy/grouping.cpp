@@ -15,8 +15,8 @@ using primitives::quad_bytes;
 /// Groups for the object hierarchy end where level-1 nodes are so many times farther apart than their rays may be.
 constexpr float group_scale = 4;
 
-/// Whether nodes of this level end where coherence ends. Above level 1 only groups for the object hierarchy do: others are
-/// tested against the whole scene, and there would be too many of them.
+/// Whether nodes of this level end where coherence ends. Above level 1 only groups for the object hierarchy do: others
+/// are tested against the whole scene, and there would be too many of them.
 bool is_cut(const AlgorithmOptions& options, uint32_t index) {
   return options.nodes == NodeCut::cut && (index == 0 || options.object_hierarchy);
 }

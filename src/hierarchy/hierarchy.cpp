@@ -58,9 +58,9 @@ void bound(gpu::Recorder& recorder, const In& in, Hierarchy& out, uint32_t index
                       {in.sorted_rays, level.children, level.nodes, level.intervals}, out.rays);
   } else {
     const Level& below = out.levels[index - 1];
-    recorder.dispatch(
-        {"hierarchy/merge_nodes" + variant, constants}, level.count, level.count,
-        {in.sorted_rays, level.children, level.nodes, level.intervals, below.nodes, below.intervals}, below.count);
+    recorder.dispatch({"hierarchy/merge_nodes" + variant, constants}, level.count, level.count,
+                      {in.sorted_rays, level.children, level.nodes, level.intervals, below.nodes, below.intervals},
+                      below.count);
   }
 }
 

@@ -23,15 +23,15 @@ struct Range {
 
 /// One level of nodes; level 1 stands on the rays.
 struct Level {
-  gpu::Buffer nodes;        ///< as the bound has them: shared::Node, shared::Slab
-  gpu::Buffer intervals;    ///< shared::Interval
-  gpu::Buffer children;     ///< uvec2 a node: [first, end) nodes or rays of the level below
-  gpu::Buffer rays;         ///< uvec2 a node: [first, end) sorted positions of its rays
-  gpu::Buffer parents;      ///< uint a child of the level below: its node here
+  gpu::Buffer nodes;      ///< as the bound has them: shared::Node, shared::Slab
+  gpu::Buffer intervals;  ///< shared::Interval
+  gpu::Buffer children;   ///< uvec2 a node: [first, end) nodes or rays of the level below
+  gpu::Buffer rays;       ///< uvec2 a node: [first, end) sorted positions of its rays
+  gpu::Buffer parents;    ///< uint a child of the level below: its node here
   uint32_t count = 0;
-  std::vector<Range> segments;        ///< nodes by segment of the batch
-  std::vector<Range> child_segments;  ///< their children by segment, on the level below
-  uint32_t most_children = 0;         ///< of a node
+  std::vector<Range> segments;           ///< nodes by segment of the batch
+  std::vector<Range> child_segments;     ///< their children by segment, on the level below
+  uint32_t most_children = 0;            ///< of a node
   std::vector<glm::uvec2> cut_children;  ///< `children`, where nodes are cut and not of one size
 
   /// The children, on the level below, of a run of nodes.
@@ -51,7 +51,7 @@ struct Hierarchy {
   std::vector<Level> levels;  ///< levels[0] is level 1
   uint32_t depth = 0;         ///< levels in use
   uint32_t rays = 0;
-  std::string bound;          ///< file below shaders/hierarchy/bounds/
+  std::string bound;  ///< file below shaders/hierarchy/bounds/
   CutScratch cut;
   gpu::Buffer spreads;
 };
@@ -60,15 +60,15 @@ struct In {
   const gpu::Buffer& sorted_rays;  ///< shared::Ray a ray, in sorted order
   const std::vector<rays::Segment>& segments;
   const AlgorithmOptions& options;
-  bool narrow_cones = false;  ///< test-only mutation
+  bool narrow_cones = false;                              ///< test-only mutation
   float extent = std::numeric_limits<float>::infinity();  ///< longest edge of the scene's bounds, metres (cut_distance)
 };
 
 /// Builds up to max(options.levels) levels; segments whose kind wants fewer have no nodes above. Records, may submit.
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& out);
 
-/// For each node of levels[index] the tangent of its half-angle (1e30 and above: a right angle or wider) and its radius,
-/// metres. Submits and waits.
+/// For each node of levels[index] the tangent of its half-angle (1e30 and above: a right angle or wider) and its
+/// radius, metres. Submits and waits.
 [[nodiscard]] std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index);
 
 }  // namespace crsh::hierarchy

@@ -25,12 +25,12 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
          candidates.pairs_before,
          in.counter_row + shared::counter_triangle_tests,
          in.account.first(shared::tests_triangle, 0)};
-  recorder.dispatch(in.account.kernel(std::string("intersection/candidates") + recorder.device().lanes()),
-                    uint64_t(push.node_count) * push.most_rays, push,
-                    {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits, sorted_rays,
-                     order, level.children, candidates.bases, candidates.pairs, in.counters,
-                     in.account.buffer_or(in.counters)},
-                    candidates.count * level.most_children);
+  recorder.dispatch(
+      in.account.kernel(std::string("intersection/candidates") + recorder.device().lanes()),
+      uint64_t(push.node_count) * push.most_rays, push,
+      {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits, sorted_rays, order,
+       level.children, candidates.bases, candidates.pairs, in.counters, in.account.buffer_or(in.counters)},
+      candidates.count * level.most_children);
   recorder.submit_past(in.submit_work);
   recorder.stage(gpu::Stage::hierarchy_traversal);
 }
@@ -39,16 +39,21 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
   if (segment.count == 0) return;
   recorder.stage(gpu::Stage::final_intersection);
   const uint32_t triangles = in.scene.triangle_count;
-  const uint32_t batch = static_cast<uint32_t>(
-      std::clamp<uint64_t>(in.submit_work / 64, 256, shared::max_batch_triangles));
+  const uint32_t batch =
+      static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / 64, 256, shared::max_batch_triangles));
   const uint32_t tile = static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / batch, 1, segment.count));
   for (uint32_t first = 0; first < triangles; first += batch)
     for (uint32_t ray = 0; ray < segment.count; ray += tile) {
       const struct {
         uint32_t first_ray, ray_count, first_triangle, triangle_count, tests_counter, first_account;
-      } push{segment.first + ray, std::min(tile, segment.count - ray), first, std::min(batch, triangles - first),
-             in.counter_row + shared::counter_triangle_tests, in.account.first(shared::tests_triangle, 0)};
-      recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lanes()), push.ray_count, push,
+      } push{segment.first + ray,
+             std::min(tile, segment.count - ray),
+             first,
+             std::min(batch, triangles - first),
+             in.counter_row + shared::counter_triangle_tests,
+             in.account.first(shared::tests_triangle, 0)};
+      recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lanes()),
+                        push.ray_count, push,
                         {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits,
                          in.batch.rays, in.counters, in.account.buffer_or(in.counters)},
                         uint64_t(push.ray_count) * push.triangle_count);
@@ -71,8 +76,7 @@ void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment,
          segment.light,
          in.counter_row + shared::counter_ray_hits,
          in.counter_row + shared::counter_digest};
-  recorder.dispatch("intersection/digest", lanes, push,
-                    {in.batch.slots, in.hits, pixels, paths, in.counters});
+  recorder.dispatch("intersection/digest", lanes, push, {in.batch.slots, in.hits, pixels, paths, in.counters});
 }
 
 }  // namespace crsh::intersection

@@ -78,7 +78,9 @@ class Nodes {
   }
 
   /// Each cluster takes some nodes in turn on a CPU, where adding to the counters takes as long as some tests.
-  [[nodiscard]] uint32_t nodes_a_cluster() const { return recorder_.device().info().software && cluster() > 1 ? 16 : 1; }
+  [[nodiscard]] uint32_t nodes_a_cluster() const {
+    return recorder_.device().info().software && cluster() > 1 ? 16 : 1;
+  }
 
   /// Lanes a node; 1 where a subgroup cannot pass values between lanes, or has too few for a node's rays.
   [[nodiscard]] uint32_t cluster() const {

@@ -1,7 +1,7 @@
 #pragma once
-// Ray nodes through the object hierarchy: level-1 nodes from the frontiers of their groups down to its leaves, and their
-// rays against triangles; rays that are better off by themselves go one by one. (Sections 3.2.5 and 3.2.6, and the
-// paper's future work.)
+// Ray nodes through the object hierarchy: level-1 nodes from the frontiers of their groups down to its leaves, and
+// their rays against triangles; rays that are better off by themselves go one by one. (Sections 3.2.5 and 3.2.6, and
+// the paper's future work.)
 
 #include "intersection/single.h"
 #include "traversal/groups.h"

@@ -64,8 +64,8 @@ class SingleRays {
     } push{push_of(first, first + count), list != nullptr};
     recorder_.dispatch(in_.account.kernel("intersection/single"), count, push,
                        {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
-                        in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, left,
-                        scratch_.count, list ? *list : in_.counters, in_.account.buffer_or(in_.counters)},
+                        in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, left, scratch_.count,
+                        list ? *list : in_.counters, in_.account.buffer_or(in_.counters)},
                        count * usual_tests);
     recorder_.submit_past(in_.submit_work);
   }
@@ -85,8 +85,8 @@ class SingleRays {
       recorder_.fill(scratch_.count, 0, 1);
       recorder_.dispatch(in_.account.kernel("intersection/single_on"), count, push_of(first, count),
                          {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
-                          in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, list,
-                          scratch_.count, scratch_.states, scratch_.stacks, in_.account.buffer_or(in_.counters)},
+                          in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, list, scratch_.count,
+                          scratch_.states, scratch_.stacks, in_.account.buffer_or(in_.counters)},
                          count * most_tests);
     } while (recorder_.read<uint32_t>(scratch_.count, 1)[0]);
   }

@@ -8,8 +8,8 @@ namespace crsh::intersection {
 
 /// Lists of rays that need very many tests; kept between calls.
 struct SingleScratch {
-  gpu::Buffer left;   ///< uint: these rays, counted from the segment's first one, in any order
-  gpu::Buffer count;  ///< one uint: how many have not ended
+  gpu::Buffer left;        ///< uint: these rays, counted from the segment's first one, in any order
+  gpu::Buffer count;       ///< one uint: how many have not ended
   gpu::Buffer still_left;  ///< uint: those of `left` that need yet more
   gpu::Buffer states, stacks;
 };

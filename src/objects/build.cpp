@@ -60,9 +60,10 @@ class Builder {
   void reserve_nodes(uint32_t nodes) {
     const uint64_t bytes = 2 * uint64_t(nodes) * sizeof(glm::vec4);
     if (bytes > device_.limits().max_binding)
-      throw UserError(fmt::format("the object hierarchy over {} triangles has {} nodes, and {} holds at most {} in one "
-                                  "buffer: choose another --algorithm or --device",
-                                  n_, nodes, device_.info().name, device_.limits().max_binding / (2 * sizeof(glm::vec4))));
+      throw UserError(
+          fmt::format("the object hierarchy over {} triangles has {} nodes, and {} holds at most {} in one "
+                      "buffer: choose another --algorithm or --device",
+                      n_, nodes, device_.info().name, device_.limits().max_binding / (2 * sizeof(glm::vec4))));
     out_.box_low.reserve(device_, bytes, "low corners of boxes");
     out_.box_high.reserve(device_, bytes, "high corners of boxes");
     out_.costs.reserve(device_, nodes * sizeof(float), "costs of nodes");
@@ -114,12 +115,10 @@ class Builder {
     places_.reserve(device_, quad_bytes(n_ + 1), "places");
     raw_nodes_.reserve(device_, n_ * sizeof(glm::uvec4), "raw nodes");
     raw_costs_.reserve(device_, n_ * sizeof(float), "costs of raw nodes");
-    const struct {
-      uint32_t count;
-    } push{n_};
-    recorder_.dispatch("objects/begin", n_, push,
-                       {in_.scene.corner_a, in_.scene.corner_b, in_.scene.corner_c, sorted_, clusters_.low, clusters_.high},
-                       n_);
+    const struct { uint32_t count; } push{n_};
+    recorder_.dispatch(
+        "objects/begin", n_, push,
+        {in_.scene.corner_a, in_.scene.corner_b, in_.scene.corner_c, sorted_, clusters_.low, clusters_.high}, n_);
   }
 
   /// Rounds until one cluster is left; each round's nodes are a rank of the raw tree.
@@ -152,21 +151,17 @@ class Builder {
 
   /// Where the clusters that stay go. Returns how many there are.
   uint32_t find_places(uint32_t count) {
-    const struct {
-      uint32_t count;
-    } push{count};
+    const struct { uint32_t count; } push{count};
     recorder_.dispatch("objects/pair", count, push, {nearest_, places_}, count);
     primitives::scan(recorder_, scan_, places_, places_, count + 1, primitives::ScanKind::exclusive);
     return recorder_.read<uint32_t>(places_, 1, count)[0];
   }
 
   void merge_pairs(uint32_t count, uint32_t first_node) {
-    const struct {
-      uint32_t count, first_node;
-    } push{count, first_node};
-    recorder_.dispatch("objects/merge", count, push,
-                       {nearest_, places_, clusters_.low, clusters_.high, next_.low, next_.high, raw_nodes_, raw_costs_},
-                       count);
+    const struct { uint32_t count, first_node; } push{count, first_node};
+    recorder_.dispatch(
+        "objects/merge", count, push,
+        {nearest_, places_, clusters_.low, clusters_.high, next_.low, next_.high, raw_nodes_, raw_costs_}, count);
   }
 
   /// From the root down.
@@ -194,9 +189,7 @@ class Builder {
   }
 
   void emit_nodes() {
-    const struct {
-      uint32_t count;
-    } push{n_ - 1};
+    const struct { uint32_t count; } push{n_ - 1};
     recorder_.dispatch("objects/emit", push.count, push, {raw_nodes_, firsts_, places_, out_.box_low, out_.box_high},
                        push.count);
   }
@@ -206,9 +199,9 @@ class Builder {
   const In& in_;
   Hierarchy& out_;
   const uint32_t n_;
-  gpu::Buffer sorted_;             ///< triangles in Morton order
+  gpu::Buffer sorted_;  ///< triangles in Morton order
   Clusters clusters_, next_;
-  gpu::Buffer nearest_, places_;   ///< uint a cluster, then (places) a raw node
+  gpu::Buffer nearest_, places_;  ///< uint a cluster, then (places) a raw node
   gpu::Buffer raw_nodes_, raw_costs_, firsts_;
   std::vector<Rank> raw_ranks_;
   primitives::ScanScratch scan_;

@@ -10,7 +10,7 @@
 namespace crsh::objects {
 
 struct DeviceHierarchy {
-  gpu::Buffer corners;  ///< three vec4 a triangle
+  gpu::Buffer corners;                                    ///< three vec4 a triangle
   std::unique_ptr<gpu::AccelerationStructure> structure;  ///< none over no triangles
   std::vector<glm::mat4> pose;                            ///< that it was built for
   uint32_t builds = 0;

@@ -27,21 +27,21 @@ struct Hierarchy {
   uint32_t triangle_count = 0;
 
   // For refits.
-  gpu::Buffer order;                   ///< uint a place in leaf order: the triangle there
-  gpu::Buffer costs;                   ///< float an inner node
-  std::vector<Rank> ranks;             ///< the root's first; children are in later ranks than their parents
-  std::vector<glm::mat4> pose;         ///< of the instances when boxes were last fitted
-  double built_cost = 0;               ///< the SAH cost when it was built
+  gpu::Buffer order;            ///< uint a place in leaf order: the triangle there
+  gpu::Buffer costs;            ///< float an inner node
+  std::vector<Rank> ranks;      ///< the root's first; children are in later ranks than their parents
+  std::vector<glm::mat4> pose;  ///< of the instances when boxes were last fitted
+  double built_cost = 0;        ///< the SAH cost when it was built
 
   // For statistics.
-  double cost = 0;                     ///< SAH cost: expected tests of a ray that meets the root's box
-  uint32_t builds = 0, refits = 0;     ///< so far
+  double cost = 0;                  ///< SAH cost: expected tests of a ray that meets the root's box
+  uint32_t builds = 0, refits = 0;  ///< so far
 };
 
 struct In {
-  const scene::GpuScene& scene;          ///< as animate() left it
-  std::span<const glm::mat4> pose;       ///< of its instances
-  uint64_t submit_work = 0;              ///< tests or elements a submit
+  const scene::GpuScene& scene;     ///< as animate() left it
+  std::span<const glm::mat4> pose;  ///< of its instances
+  uint64_t submit_work = 0;         ///< tests or elements a submit
 };
 
 /// A refit whose cost is this many times the cost when built is followed by a build.

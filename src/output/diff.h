@@ -26,8 +26,8 @@ struct Worst {
 };
 
 struct Comparison {
-  std::string mismatch;               ///< sizes or channels that forbid a comparison of pixels; empty: compared
-  bool same = false;                  ///< within the tolerance
+  std::string mismatch;  ///< sizes or channels that forbid a comparison of pixels; empty: compared
+  bool same = false;     ///< within the tolerance
   uint32_t width = 0, height = 0;
   std::vector<std::string> channels;  ///< compared
   uint64_t failing = 0;               ///< pixels beyond `fail`, or with unequal bits

@@ -24,14 +24,12 @@ double percent_failing(const Comparison& comparison) {
 }
 
 /// JSON has no infinity and no not-a-number: they become strings.
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
-}
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value)); }
 
 Json worst_json(const std::optional<Worst>& worst) {
   if (!worst) return nullptr;
-  return {{"x", worst->x}, {"y", worst->y}, {"channel", worst->channel}, {"a", number(worst->a)},
-          {"b", number(worst->b)}, {"difference", number(worst->difference)}};
+  return {{"x", worst->x},         {"y", worst->y},         {"channel", worst->channel},
+          {"a", number(worst->a)}, {"b", number(worst->b)}, {"difference", number(worst->difference)}};
 }
 
 Json tolerance_json(const Tolerance& tolerance) {
@@ -54,7 +52,10 @@ std::string verdict(const Comparison& comparison, const Tolerance& tolerance) {
 std::string diff_json(const Comparison& comparison, const Tolerance& tolerance, const std::string& a,
                       const std::string& b) {
   const bool compared = comparison.mismatch.empty();
-  Json json = {{"schema", "crsh-diff/1"}, {"a", a}, {"b", b}, {"same", comparison.same},
+  Json json = {{"schema", "crsh-diff/1"},
+               {"a", a},
+               {"b", b},
+               {"same", comparison.same},
                {"mismatch", compared ? Json(nullptr) : Json(comparison.mismatch)},
                {"tolerance", tolerance_json(tolerance)}};
   if (compared) {

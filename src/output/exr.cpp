@@ -64,7 +64,9 @@ struct HalfLayers {
 /// `first`: the layer's interleaved values.
 template <class T>
 void add_channels(Imf::Header& header, Imf::FrameBuffer& buffer, const Layer& layer, uint32_t width, const T* first) {
-  constexpr Imf::PixelType type = std::is_same_v<T, half> ? Imf::HALF : std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT;
+  constexpr Imf::PixelType type = std::is_same_v<T, half>    ? Imf::HALF
+                                  : std::is_same_v<T, float> ? Imf::FLOAT
+                                                             : Imf::UINT;
   const size_t stride = layer.channels.size() * sizeof(T);
   for (size_t index = 0; index < layer.channels.size(); ++index) {
     header.channels().insert(layer.channels[index], Imf::Channel(type));
@@ -132,12 +134,9 @@ EncodedExr encode_exr(const Picture& picture, std::span<const std::string> layer
   HalfLayers halves;
   for (const Layer& layer : picture.layers) {
     if (std::ranges::find(layers, layer.name) == layers.end()) continue;
-    if (layer.name.empty())
-      add_channels(header, buffer, layer, picture.width, halves.add(layer.values));
-    else if (!layer.ids.empty())
-      add_channels(header, buffer, layer, picture.width, layer.ids.data());
-    else
-      add_channels(header, buffer, layer, picture.width, layer.values.data());
+    if (layer.name.empty()) add_channels(header, buffer, layer, picture.width, halves.add(layer.values));
+    else if (!layer.ids.empty()) add_channels(header, buffer, layer, picture.width, layer.ids.data());
+    else add_channels(header, buffer, layer, picture.width, layer.values.data());
   }
   MemoryOutput stream;
   {

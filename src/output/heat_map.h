@@ -17,15 +17,15 @@ struct ColourPicture {
   std::vector<uint8_t> rgb;
 };
 
-/// The scale from 0 (dark violet) to 1 (yellow), clamped. CIE lightness rises with it in a straight line, and hue turns one
-/// way, so that equal steps look equal, also in grey and to the colour-blind. Not a number is grey.
+/// The scale from 0 (dark violet) to 1 (yellow), clamped. CIE lightness rises with it in a straight line, and hue turns
+/// one way, so that equal steps look equal, also in grey and to the colour-blind. Not a number is grey.
 [[nodiscard]] std::array<uint8_t, 3> heat_colour(double place);
 
 /// All tests of each pixel: the sum of the layers Tests.* that the picture has; empty where it has none.
 [[nodiscard]] std::vector<float> tests_of(const Picture& picture);
 
-/// A round number that 99.5 per cent of the values stay below: few hot pixels leave the others distinct. At least 1. For
-/// pictures to compare, take the largest of theirs.
+/// A round number that 99.5 per cent of the values stay below: few hot pixels leave the others distinct. At least 1.
+/// For pictures to compare, take the largest of theirs.
 [[nodiscard]] double heat_maximum(std::span<const float> values);
 
 /// `values`, a pixel each, on the scale from 0 to `maximum`; more shows as the maximum.

@@ -13,7 +13,7 @@ namespace crsh::output {
 enum class Sample { half, real, id, byte, word };
 
 struct Channel {
-  std::string name;            ///< "R", "Z", "N.X"
+  std::string name;  ///< "R", "Z", "N.X"
   Sample sample = Sample::real;
   std::vector<uint32_t> bits;  ///< a pixel, rows from the top
   [[nodiscard]] double value(size_t pixel) const;
@@ -34,8 +34,8 @@ inline constexpr uint32_t longest_side = 16384;
 /// The layer that a channel belongs to: "beauty" for R, G, B, A and Y, "N" for "N.X", "Z" for "Z".
 [[nodiscard]] std::string layer_of(std::string_view channel);
 
-/// Whether `name` means this channel: its layer, or a part of its name that ends at a dot ("Tests.node" is in "Tests"), with
-/// or without ".*", or the whole name.
+/// Whether `name` means this channel: its layer, or a part of its name that ends at a dot ("Tests.node" is in "Tests"),
+/// with or without ".*", or the whole name.
 [[nodiscard]] bool in_layer(std::string_view channel, std::string_view name);
 
 /// An OpenEXR or PNG file, told apart by its first bytes. Throws UserError.

@@ -81,9 +81,9 @@ std::string NpyArray::description() const {
 }
 
 std::string encode_npy(const NpyArray& array) {
-  std::string header = fmt::format("{{'descr': '{}{}{}', 'fortran_order': {}, 'shape': {}, }}",
-                                   array.type.bytes == 1 ? '|' : '<', array.type.kind, array.type.bytes,
-                                   array.columns_first ? "True" : "False", shape_text(array.shape));
+  std::string header =
+      fmt::format("{{'descr': '{}{}{}', 'fortran_order': {}, 'shape': {}, }}", array.type.bytes == 1 ? '|' : '<',
+                  array.type.kind, array.type.bytes, array.columns_first ? "True" : "False", shape_text(array.shape));
   const size_t unpadded = magic.size() + 4 + header.size() + 1;
   header.append((alignment - unpadded % alignment) % alignment, ' ').push_back('\n');
   const char length[] = {char(header.size() & 0xFF), char(header.size() >> 8)};
@@ -96,7 +96,8 @@ NpyArray decode_npy(std::string bytes, const std::string& name) {
   size_t begin = 0;
   const std::string header = header_of(bytes, name, begin);
   std::smatch found;
-  if (!std::regex_match(header, found, form)) refuse(name, "has a header that is not NumPy's, or values of several parts");
+  if (!std::regex_match(header, found, form))
+    refuse(name, "has a header that is not NumPy's, or values of several parts");
   NpyArray array{type_of(found[1], name), shape_of(found[3], name), found[2] == "True", {}};
   if (byte_count(array) != bytes.size() - begin)
     refuse(name, fmt::format("says {}, and holds {} bytes", array.description(), bytes.size() - begin));

@@ -102,7 +102,9 @@ Image decode_png(const std::string& bytes, const std::string& name) {
                       stbi_image_free);
   if (!pixels) refuse(stbi_failure_reason());
   const size_t count = size_t(width) * size_t(height);
-  return {.format = Format::png, .width = uint32_t(width), .height = uint32_t(height),
+  return {.format = Format::png,
+          .width = uint32_t(width),
+          .height = uint32_t(height),
           .channels = deep ? split(static_cast<const uint16_t*>(pixels.get()), count, channels, Sample::word)
                            : split(static_cast<const uint8_t*>(pixels.get()), count, channels, Sample::byte)};
 }

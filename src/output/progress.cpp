@@ -40,10 +40,8 @@ void Progress::update(uint32_t number, uint32_t index, double share) {
   shown_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = done > 0 ? elapsed * (1 - done) / done : -1;
-  if (mode_ == Mode::bar)
-    show_bar(done, left);
-  else
-    show_json(number, done, left);
+  if (mode_ == Mode::bar) show_bar(done, left);
+  else show_json(number, done, left);
 }
 
 void Progress::show_bar(double done, double seconds_left) {

@@ -119,20 +119,24 @@ class Reader {
   using Shape = std::vector<uint64_t>;
 
   [[nodiscard]] NpyArray load(const std::string& name) const {
-    if (!has(name)) throw UserError(fmt::format("{}: has no array '{}': origin, direction, tmax and kind are needed", name_, name));
+    if (!has(name))
+      throw UserError(fmt::format("{}: has no array '{}': origin, direction, tmax and kind are needed", name_, name));
     return decode_npy(archive_.read(name + ".npy"), fmt::format("{}: {}", name_, name));
   }
   [[noreturn]] void refuse_type(const std::string& name, const NpyArray& array, const Shape& shape,
                                 const std::string& numbers) const {
-    const std::string wanted = shape.size() == 1 ? fmt::format("({},)", shape[0]) : fmt::format("({}, {})", shape[0], shape[1]);
+    const std::string wanted =
+        shape.size() == 1 ? fmt::format("({},)", shape[0]) : fmt::format("({}, {})", shape[0], shape[1]);
     refuse(name, fmt::format("is {}: {} {} are needed", array.description(), numbers, wanted));
   }
-  void require_shape(const std::string& name, const NpyArray& array, const Shape& shape, const std::string& numbers) const {
+  void require_shape(const std::string& name, const NpyArray& array, const Shape& shape,
+                     const std::string& numbers) const {
     if (array.shape != shape) refuse_type(name, array, shape, numbers);
   }
   void read_reals(const std::string& name, const Shape& shape, float* values) const {
     const NpyArray array = load(name);
-    if (array.type != NpyType{'f', 4} && array.type != NpyType{'f', 8}) refuse_type(name, array, shape, "float32 or float64");
+    if (array.type != NpyType{'f', 4} && array.type != NpyType{'f', 8})
+      refuse_type(name, array, shape, "float32 or float64");
     require_shape(name, array, shape, "float32 or float64");
     copy(array, values, [&](auto value, uint64_t row) {
       if (std::isnan(value)) refuse(name, fmt::format("of ray {} is not a number", row));
@@ -142,7 +146,8 @@ class Reader {
   /// The array's values row by row, whatever their type and order, each through `convert(value, row)`.
   template <class T, class Convert>
   static void copy(const NpyArray& array, T* target, Convert convert) {
-    const uint64_t columns = array.shape.size() > 1 ? array.shape[1] : 1, rows = array.size() / std::max<uint64_t>(columns, 1);
+    const uint64_t columns = array.shape.size() > 1 ? array.shape[1] : 1,
+                   rows = array.size() / std::max<uint64_t>(columns, 1);
     with_type(array.type, [&](auto value) {
       for (uint64_t row = 0; row < rows; ++row)
         for (uint64_t column = 0; column < columns; ++column) {

@@ -11,7 +11,7 @@
 namespace crsh::output {
 namespace {
 
-constexpr uint32_t quick = 1;             // of deflate's levels: half of zlib's usual time for a tenth more bytes
+constexpr uint32_t quick = 1;                // of deflate's levels: half of zlib's usual time for a tenth more bytes
 constexpr uint16_t first_date = 1 << 5 | 1;  // 1 January 1980, where ZIP's time begins
 
 /// The archive's bytes, out of the source that it was written to.
@@ -19,7 +19,8 @@ std::string bytes_of(zip_source_t* source) {
   zip_stat_t status;
   CRSH_ASSERT(zip_source_open(source) == 0 && zip_source_stat(source, &status) == 0, "a ZIP archive in memory");
   std::string bytes(status.size, '\0');
-  CRSH_ASSERT(zip_source_read(source, bytes.data(), bytes.size()) == zip_int64_t(bytes.size()), "a ZIP archive in memory");
+  CRSH_ASSERT(zip_source_read(source, bytes.data(), bytes.size()) == zip_int64_t(bytes.size()),
+              "a ZIP archive in memory");
   zip_source_close(source);
   return bytes;
 }

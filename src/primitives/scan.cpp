@@ -47,8 +47,8 @@ gpu::Binding quads_of(const gpu::Buffer& buffer, uint64_t first, uint64_t count)
 /// `before` is null where the array is one run.
 void scan_runs(gpu::Recorder& recorder, const gpu::Buffer& source, const gpu::Buffer& destination, uint64_t n,
                const gpu::Buffer* before, ScanKind kind, ScanShape shape) {
-  const gpu::Kernel kernel("primitives/scan_run", {{0, shape.group}, {1, shape.run / 4},
-                                                   {2, kind == ScanKind::inclusive}, {3, !before}});
+  const gpu::Kernel kernel("primitives/scan_run",
+                           {{0, shape.group}, {1, shape.run / 4}, {2, kind == ScanKind::inclusive}, {3, !before}});
   for_each_part(recorder, n, shape.run, [&](uint64_t first, const Push& push) {
     const gpu::Binding from = quads_of(source, first, push.quads), to = quads_of(destination, first, push.quads);
     recorder.dispatch(kernel, push.lanes, push, {from, to, before ? gpu::Binding(*before) : from},

@@ -46,8 +46,7 @@ void find_places(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffe
 /// `sorted` gets pairs or, where `values_only`, values.
 void scatter(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffer& pairs, const gpu::Buffer& sorted,
              bool values_only, const Pass& pass) {
-  const gpu::Kernel kernel("primitives/sort_scatter",
-                           {{0, pass.shape.group}, {1, values_only}, {2, pass.unstable}});
+  const gpu::Kernel kernel("primitives/sort_scatter", {{0, pass.shape.group}, {1, values_only}, {2, pass.unstable}});
   dispatch_parts(recorder, kernel, pass, {pairs, scratch.histogram, sorted});
 }
 

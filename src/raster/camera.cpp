@@ -79,9 +79,7 @@ void look(CameraView& view, glm::vec3 forward, glm::vec3 up) {
   view.up = glm::cross(view.right, view.forward);
 }
 
-void set_fov(CameraView& view, float fov) {
-  view.half_height = std::tan(std::clamp(fov, 1e-3f, 3.1f) / 2);
-}
+void set_fov(CameraView& view, float fov) { view.half_height = std::tan(std::clamp(fov, 1e-3f, 3.1f) / 2); }
 
 void see_through(CameraView& view, const scene::Camera& camera, const glm::mat4& transform) {
   view.eye = glm::vec3(transform[3]);
@@ -131,7 +129,8 @@ CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const
   if (options.view.orthographic_height)
     view.orthographic = true, view.half_height = *options.view.orthographic_height / 2;
   view.half_width = view.half_height * aspect;
-  view.far_plane = std::max(view.near_plane, glm::distance(view.eye, extent.centre) + 2 * extent.radius) * 1.01f + 1e-6f;
+  view.far_plane =
+      std::max(view.near_plane, glm::distance(view.eye, extent.centre) + 2 * extent.radius) * 1.01f + 1e-6f;
   return view;
 }
 

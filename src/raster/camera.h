@@ -19,7 +19,7 @@ struct CameraView {
   bool orthographic = false;
   float half_width = 1, half_height = 1;  ///< of the image: at distance 1 (perspective), or in metres (orthographic)
   float near_plane = 0.01f;
-  float far_plane = 1;                    ///< orthographic only: behind all of the scene
+  float far_plane = 1;  ///< orthographic only: behind all of the scene
 
   /// OpenEXR's worldToCamera: left-handed, x to the right, y up, z the way the camera looks. A column-major matrix for
   /// column vectors has the same sixteen floats in memory as Imath's for row vectors.
@@ -32,8 +32,8 @@ struct CameraView {
 [[nodiscard]] ImageSize image_size(const scene::Scene& scene, const RenderOptions& options);
 
 /// The camera of this pose: --eye and --target, else --camera, else the file's first, else one that frames `bounds`,
-/// the scene's at time 0. --fov or --orthographic go with any of them. The image's aspect widens or narrows the view, its
-/// height stays. Throws UserError for a camera that the file has not.
+/// the scene's at time 0. --fov or --orthographic go with any of them. The image's aspect widens or narrows the view,
+/// its height stays. Throws UserError for a camera that the file has not.
 [[nodiscard]] CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const RenderOptions& options,
                                      const scene::Bounds& bounds, ImageSize size);
 

@@ -31,8 +31,11 @@ struct Push {
 Push push_of(const In& in) {
   const CameraView& view = in.view;
   const glm::vec2 shift = -2.0f * in.jitter / glm::vec2(float(in.size.width), float(in.size.height));
-  return {view.eye, view.orthographic ? 1.0f : 0.0f, view.right, 1 / view.half_width, view.up, 1 / view.half_height,
-          view.forward, view.near_plane, shift, view.far_plane};
+  return {view.eye,     view.orthographic ? 1.0f : 0.0f,
+          view.right,   1 / view.half_width,
+          view.up,      1 / view.half_height,
+          view.forward, view.near_plane,
+          shift,        view.far_plane};
 }
 
 void require_size(const gpu::Device& device, ImageSize size) {
@@ -52,7 +55,9 @@ void prepare(gpu::Recorder& recorder, ImageSize size, GBuffer& out) {
   if (out.depth.width() == size.width && out.depth.height() == size.height) return;
   require_size(device, size);
   recorder.submit();
-  const auto make = [&](Format format, const char* name) { return gpu::Image(device, size.width, size.height, format, name); };
+  const auto make = [&](Format format, const char* name) {
+    return gpu::Image(device, size.width, size.height, format, name);
+  };
   out.position = make(Format::rgba32f, "position");
   out.normal = make(Format::rgba32f, "normal");
   out.diffuse = make(Format::rgba32f, "diffuse");
@@ -67,7 +72,8 @@ void rasterise(gpu::Recorder& recorder, const In& in, GBuffer& out) {
   recorder.submit();  // Mesa 25's lavapipe crashes where a draw follows dispatches in one command buffer
   prepare(recorder, in.size, out);
   const scene::GpuScene& s = in.scene;
-  const std::array<const gpu::Image*, 5> colours = {&out.position, &out.normal, &out.diffuse, &out.specular, &out.triangle};
+  const std::array<const gpu::Image*, 5> colours = {&out.position, &out.normal, &out.diffuse, &out.specular,
+                                                    &out.triangle};
   uint32_t first = 0;
   do {
     const uint32_t count = std::min(s.triangle_count - first, submit_triangles);

@@ -11,17 +11,18 @@ namespace crsh::rays {
 /// A run of rays of one kind (and, for shadow rays, one light). Nodes never cross its ends, so that counters do not
 /// depend on what else is in the batch.
 struct Segment {
-  uint32_t kind = 0;   ///< shared::kind_*
-  uint32_t light = 0;  ///< shadow rays: index of the light
+  uint32_t kind = 0;              ///< shared::kind_*
+  uint32_t light = 0;             ///< shadow rays: index of the light
   uint32_t first = 0, count = 0;  ///< rays, in creation order after trimming; sorting keeps the segment's place
   bool alone = false;             ///< too scattered for nodes: they go one by one through the object hierarchy
 };
 
 /// Slots: one a surface a segment, segment-major: slot = segment * surfaces + surface.
 struct Batch {
-  gpu::Buffer rays;     ///< shared::Ray a ray, in creation order, trimmed
-  gpu::Buffer slots;    ///< uint a ray: the slot it came from
-  gpu::Buffer ends;     ///< uint a slot: inclusive scan of the head flags; slot s holds ray ends[s] - 1 where ends[s] > ends[s-1]
+  gpu::Buffer rays;   ///< shared::Ray a ray, in creation order, trimmed
+  gpu::Buffer slots;  ///< uint a ray: the slot it came from
+  /// uint a slot: inclusive scan of the head flags; slot s holds ray ends[s] - 1 where ends[s] > ends[s-1]
+  gpu::Buffer ends;
   gpu::Buffer given_keys;   ///< uint a ray: keys from a file, where there are any
   uint32_t given_bits = 0;  ///< of those keys
   std::vector<Segment> segments;

@@ -31,7 +31,8 @@ std::vector<Wanted> wanted_segments(const PlanIn& in) {
 std::vector<std::vector<Wanted>> grouped(const std::vector<Wanted>& all, uint32_t most, bool mixed) {
   std::vector<std::vector<Wanted>> groups;
   for (const Wanted& segment : all) {
-    const bool fits = !groups.empty() && groups.back().size() < most && (mixed || groups.back().back().kind == segment.kind);
+    const bool fits =
+        !groups.empty() && groups.back().size() < most && (mixed || groups.back().back().kind == segment.kind);
     if (!fits) groups.emplace_back();
     groups.back().push_back(segment);
   }
@@ -41,9 +42,9 @@ std::vector<std::vector<Wanted>> grouped(const std::vector<Wanted>& all, uint32_
 void create_shadow(gpu::Recorder& recorder, const CreateIn& in, uint32_t first, uint32_t lights, const Sparse& out) {
   const ShadowPush push{in.plan.surfaces, in.plan.first_surface, first * in.plan.surfaces, lights * in.plan.surfaces,
                         in.plan.segments[first].light};
-  recorder.dispatch(std::string(ray_kinds[shared::kind_shadow].creation), push.count, push,
-                    {in.surfaces.position, in.surfaces.geometric, in.scene.lights, in.scene.triangle_spheres, out.rays,
-                     out.flags});
+  recorder.dispatch(
+      std::string(ray_kinds[shared::kind_shadow].creation), push.count, push,
+      {in.surfaces.position, in.surfaces.geometric, in.scene.lights, in.scene.triangle_spheres, out.rays, out.flags});
 }
 
 void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segment, const Sparse& out,
@@ -54,8 +55,8 @@ void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segmen
   const bool mirror = kind == shared::kind_reflection && in.override_mirror;
   const ClosestPush push{in.plan.surfaces, in.plan.first_surface, segment * in.plan.surfaces, mirror ? 1u : 0u};
   recorder.dispatch(std::string(ray_kinds[kind].creation), push.surfaces, push,
-                    {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, in.scene.triangle_spheres, out.rays,
-                     out.flags, weights});
+                    {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, in.scene.triangle_spheres,
+                     out.rays, out.flags, weights});
 }
 
 }  // namespace

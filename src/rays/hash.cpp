@@ -26,7 +26,9 @@ struct GivenPush {
   uint32_t first, count, segment;
 };
 
-std::string kernel_of(std::string_view key) { return std::string(prefix) + std::string(key.empty() ? "creation" : key); }
+std::string kernel_of(std::string_view key) {
+  return std::string(prefix) + std::string(key.empty() ? "creation" : key);
+}
 
 uint32_t bits_of(const Batch& batch, const std::string& key, uint32_t kind) {
   return key == key_of_file ? batch.given_bits : hash_bits(key, kind);
@@ -64,7 +66,8 @@ Push push_of(const scene::Bounds& bounds) {
 std::vector<std::string> key_names() {
   std::vector<std::string> names;
   for (std::string_view file : gpu::embedded_files())
-    if (file.starts_with(prefix)) names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
+    if (file.starts_with(prefix))
+      names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
   return names;
 }
 

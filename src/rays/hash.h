@@ -14,8 +14,8 @@
 
 namespace crsh::rays {
 
-/// A sort key a ray kind: names of files below shaders/rays/keys/. Empty, or "creation": creation order. key_of_file: the
-/// batch's given keys.
+/// A sort key a ray kind: names of files below shaders/rays/keys/. Empty, or "creation": creation order. key_of_file:
+/// the batch's given keys.
 using Keys = std::array<std::string, kind_count>;
 
 inline constexpr std::string_view key_of_file = "file";
@@ -23,7 +23,8 @@ inline constexpr std::string_view key_of_file = "file";
 /// Names of all sort keys that the build found, sorted.
 [[nodiscard]] std::vector<std::string> key_names();
 
-/// Bits of the hash that this key gives to rays of this kind (0: creation order), as its shader declares. The key must exist.
+/// Bits of the hash that this key gives to rays of this kind (0: creation order), as its shader declares. The key must
+/// exist.
 [[nodiscard]] uint32_t hash_bits(std::string_view key, uint32_t kind);
 
 /// Whether any ray of the batch has a key to be sorted by.

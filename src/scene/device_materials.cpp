@@ -48,8 +48,9 @@ bool is_solid(const Material& material) { return material.transmission > 0 && ma
 
 /// All but the page.
 uint32_t flags_of(const Texture& texture, bool srgb) {
-  return uint32_t(texture.wrap_s) << shared::texture_wrap_s_shift | uint32_t(texture.wrap_t) << shared::texture_wrap_t_shift |
-         (texture.nearest ? shared::texture_nearest : 0) | (srgb ? shared::texture_srgb : 0);
+  return uint32_t(texture.wrap_s) << shared::texture_wrap_s_shift |
+         uint32_t(texture.wrap_t) << shared::texture_wrap_t_shift | (texture.nearest ? shared::texture_nearest : 0) |
+         (srgb ? shared::texture_srgb : 0);
 }
 
 /// Numbers the textures in the order in which materials ask for them.
@@ -95,8 +96,7 @@ shared::Material device_material(const Scene& scene, const Material& material, T
   out.body = {material.roughness, material.transmission, material.ior, material.thickness};
   out.textures = {textures.word(material.base_colour_texture, true),
                   textures.word(material.metallic_roughness_texture, false),
-                  textures.word(material.emissive_texture, true),
-                  textures.word(material.transmission_texture, false)};
+                  textures.word(material.emissive_texture, true), textures.word(material.transmission_texture, false)};
   out.tint = tint_of(scene, material);
   return out;
 }

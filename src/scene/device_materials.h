@@ -23,8 +23,8 @@ struct DeviceMaterials {
 [[nodiscard]] uint32_t flagged_material(const Scene& scene, uint32_t material);
 
 /// -log2 of what one crossing of the material's triangles lets through to a shadow ray, in 16.16 fixed point a
-/// channel: transmission, less metal and what Fresnel reflects at the normal, times base colour; textures by their mean.
-/// 0xFFFFFFFF where nothing gets through, and only there.
+/// channel: transmission, less metal and what Fresnel reflects at the normal, times base colour; textures by their
+/// mean. 0xFFFFFFFF where nothing gets through, and only there.
 [[nodiscard]] glm::uvec4 tint_of(const Scene& scene, const Material& material);
 
 }  // namespace crsh::scene

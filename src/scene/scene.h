@@ -67,12 +67,13 @@ struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;  ///< unit, or zero: flat shading (the file has none)
   std::vector<glm::vec2> uv0, uv1;
-  std::vector<uint32_t> colours;   ///< RGBA8, 0xFFFFFFFF where the file has none
+  std::vector<uint32_t> colours;  ///< RGBA8, 0xFFFFFFFF where the file has none
   std::vector<glm::uvec3> triangles;
-  std::vector<uint32_t> materials; ///< a triangle: index into Scene::materials
-  Sphere sphere;                   ///< smallest enclosing sphere of the corners (Gärtner 1999)
+  std::vector<uint32_t> materials;  ///< a triangle: index into Scene::materials
+  Sphere sphere;                    ///< smallest enclosing sphere of the corners (Gärtner 1999)
   /// Radii about sphere.centre that also hold every triangle's own smallest sphere: after a similarity, and after
-  /// any affine map (scaled by its largest stretch). Culling uses these, so that it agrees with the definition of a hit.
+  /// any affine map (scaled by its largest stretch). Culling uses these, so that it agrees with the definition of a
+  /// hit.
   float cover_similar = 0, cover_affine = 0;
 };
 
@@ -109,10 +110,10 @@ struct Light {
 struct Camera {
   std::string name;
   bool orthographic = false;
-  float yfov = 0.7853981634f;         ///< radians, vertical
-  float xmag = 1, ymag = 1;           ///< orthographic half extents, metres
-  std::optional<float> aspect;        ///< width / height
-  float near_plane = 0.01f;           ///< metres
+  float yfov = 0.7853981634f;   ///< radians, vertical
+  float xmag = 1, ymag = 1;     ///< orthographic half extents, metres
+  std::optional<float> aspect;  ///< width / height
+  float near_plane = 0.01f;     ///< metres
   uint32_t node = 0;
 };
 
@@ -123,8 +124,8 @@ struct Channel {
   uint32_t node = 0;
   Path path = Path::translation;
   Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times;            ///< seconds, rising
-  std::vector<glm::vec4> values;       ///< one a time, or three (in-tangent, value, out-tangent) for cubic_spline
+  std::vector<float> times;       ///< seconds, rising
+  std::vector<glm::vec4> values;  ///< one a time, or three (in-tangent, value, out-tangent) for cubic_spline
 };
 
 struct Animation {
@@ -133,17 +134,18 @@ struct Animation {
   float duration = 0;  ///< seconds
 };
 
-/// What one frame of the scene looks like: world transforms of instances, lights and cameras, in the order of the lists.
+/// What one frame of the scene looks like: world transforms of instances, lights and cameras, in the order of the
+/// lists.
 struct Pose {
   std::vector<glm::mat4> instances, lights, cameras;
 };
 
 struct Scene {
   std::filesystem::path path;
-  std::string name;                    ///< of the chosen glTF scene
+  std::string name;  ///< of the chosen glTF scene
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
-  std::vector<Material> materials;     ///< the last one is glTF's default material
+  std::vector<Material> materials;  ///< the last one is glTF's default material
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<Node> nodes;
@@ -164,7 +166,8 @@ struct Scene {
 };
 
 /// Loads .gltf or .glb. `which`: index or name of the glTF scene, empty: the file's default scene, else the first.
-/// Throws UserError (one line: file, reason, mend) for anything broken; what is merely unsupported goes to `unsupported`.
+/// Throws UserError (one line: file, reason, mend) for anything broken; what is merely unsupported goes to
+/// `unsupported`.
 [[nodiscard]] Scene load(const std::filesystem::path& path, const std::string& which = {});
 
 /// The object's sphere after `transform` (section 3.2.1): centre moved, radius times the largest stretch, rounded

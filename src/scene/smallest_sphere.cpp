@@ -14,7 +14,8 @@ using glm::dvec3;
 double squared_length(const dvec3& v) { return glm::dot(v, v); }
 
 /// The smallest sphere with up to four points on its boundary, grown and shrunk a point at a time (section 3 of the
-/// paper): each point's direction from the first one is made orthogonal to those before it, and the centre moves along it.
+/// paper): each point's direction from the first one is made orthogonal to those before it, and the centre moves along
+/// it.
 class Boundary {
  public:
   [[nodiscard]] bool full() const { return count_ == 4; }

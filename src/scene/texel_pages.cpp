@@ -40,7 +40,8 @@ Image halved(const Image& image) {
 std::optional<std::vector<std::optional<Placement>>> place(const std::vector<Size>& sizes, uint64_t page_texels) {
   std::vector<size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return sizes[a].texels() > sizes[b].texels(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return sizes[a].texels() > sizes[b].texels(); });
   std::array<uint64_t, texel_page_count> filled{};
   std::vector<std::optional<Placement>> placements(sizes.size());
   for (const size_t i : order) {
@@ -73,7 +74,9 @@ TexelPages pack_texels(const std::vector<Image>& images, const std::vector<bool>
   TexelPages out;
   std::optional<std::vector<std::optional<Placement>>> placements;
   while (!(placements = place(sizes, page_texels)))
-    std::max_element(sizes.begin(), sizes.end(), [](const Size& a, const Size& b) { return a.texels() < b.texels(); })->halve();
+    std::max_element(sizes.begin(), sizes.end(), [](const Size& a, const Size& b) {
+      return a.texels() < b.texels();
+    })->halve();
   out.placements = std::move(*placements);
   for (size_t i = 0; i < images.size(); ++i) {
     if (!out.placements[i]) continue;

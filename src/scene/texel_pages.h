@@ -24,7 +24,8 @@ struct TexelPages {
   std::vector<std::string> notes;                    ///< what had to be made smaller, a line each
 };
 
-/// Packs the used images into pages of at most `page_texels`; where they don't fit, the largest are halved until they do.
+/// Packs the used images into pages of at most `page_texels`; where they don't fit, the largest are halved until they
+/// do.
 [[nodiscard]] TexelPages pack_texels(const std::vector<Image>& images, const std::vector<bool>& used,
                                      uint64_t page_texels);
 

@@ -27,8 +27,9 @@ std::vector<uint32_t> first_triangles(const Scene& scene) {
 void require_binding(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t size, const char* what) {
   const uint64_t most = device.limits().max_binding / size;
   if (count <= most) return;
-  throw UserError(fmt::format("{}: {} {}, and {} holds at most {} in one buffer: leave some out, or choose another --device",
-                              scene.path.string(), count, what, device.info().name, most));
+  throw UserError(
+      fmt::format("{}: {} {}, and {} holds at most {} in one buffer: leave some out, or choose another --device",
+                  scene.path.string(), count, what, device.info().name, most));
 }
 
 void require_bindings(const gpu::Device& device, const Scene& scene) {
@@ -113,7 +114,11 @@ shared::Instance device_instance(const glm::mat4& m) {
   const glm::mat3 cofactors(glm::cross(unit_y, unit_z) * sign, glm::cross(unit_z, unit_x) * sign,
                             glm::cross(unit_x, unit_y) * sign);
   const glm::mat3 rows = glm::transpose(cofactors);
-  return {row(m, 0), row(m, 1), row(m, 2), glm::vec4(rows[0], mirrored ? 1.0f : 0.0f), glm::vec4(rows[1], 0),
+  return {row(m, 0),
+          row(m, 1),
+          row(m, 2),
+          glm::vec4(rows[0], mirrored ? 1.0f : 0.0f),
+          glm::vec4(rows[1], 0),
           glm::vec4(rows[2], 0)};
 }
 
@@ -165,9 +170,7 @@ void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, cons
   recorder.submit();  // nothing recorded may still need what is overwritten now
   move_objects(recorder.device(), target, scene, pose);
   move_lights(recorder.device(), target, scene, pose, lights);
-  const struct {
-    uint32_t count;
-  } push{target.triangle_count};
+  const struct { uint32_t count; } push{target.triangle_count};
   recorder.dispatch("scene/animate", target.triangle_count, push,
                     {target.sources, target.triangles, target.positions, target.instances, target.corner_a,
                      target.corner_b, target.corner_c, target.triangle_spheres});

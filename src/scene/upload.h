@@ -18,26 +18,26 @@ namespace crsh::scene {
 /// be bound, also where it stands for an empty list.
 struct GpuScene {
   // From upload().
-  gpu::Buffer positions;   ///< vec3 a stored vertex, object space
-  gpu::Buffer vertices;    ///< shared::Vertex a stored vertex
-  gpu::Buffer triangles;   ///< uvec4 a stored triangle: its vertices, and its material with the flags of shared/scene.h
-  gpu::Buffer sources;     ///< shared::Source a drawn triangle
-  gpu::Buffer materials;   ///< shared::Material
-  gpu::Buffer textures;    ///< shared::Texture
+  gpu::Buffer positions;  ///< vec3 a stored vertex, object space
+  gpu::Buffer vertices;   ///< shared::Vertex a stored vertex
+  gpu::Buffer triangles;  ///< uvec4 a stored triangle: its vertices, and its material with the flags of shared/scene.h
+  gpu::Buffer sources;    ///< shared::Source a drawn triangle
+  gpu::Buffer materials;  ///< shared::Material
+  gpu::Buffer textures;   ///< shared::Texture
   std::array<gpu::Buffer, texel_page_count> texels;  ///< RGBA8 a word
-  gpu::Buffer blocks;      ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
+  gpu::Buffer blocks;           ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
   uint32_t triangle_count = 0;  ///< drawn
   uint32_t instance_count = 0, block_count = 0;
   std::vector<std::string> notes;  ///< for stderr
 
   // From animate().
-  gpu::Buffer instances;         ///< shared::Instance
+  gpu::Buffer instances;                     ///< shared::Instance
   gpu::Buffer corner_a, corner_b, corner_c;  ///< vec4 a drawn triangle, world space (shared/scene.h)
-  gpu::Buffer triangle_spheres;  ///< vec4 a drawn triangle: centre and padded radius of its smallest sphere
-  gpu::Buffer object_spheres;    ///< vec4 an instance: centre and radius, outside of all its triangles' spheres
-  gpu::Buffer lights;            ///< shared::Light
+  gpu::Buffer triangle_spheres;              ///< vec4 a drawn triangle: centre and padded radius of its smallest sphere
+  gpu::Buffer object_spheres;  ///< vec4 an instance: centre and radius, outside of all its triangles' spheres
+  gpu::Buffer lights;          ///< shared::Light
   uint32_t light_count = 0;
-  Bounds bounds;                 ///< of all object spheres in this pose
+  Bounds bounds;  ///< of all object spheres in this pose
 };
 
 /// Throws UserError where a list outgrows what the device can bind, and gpu::OutOfMemory.

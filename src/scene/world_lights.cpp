@@ -79,7 +79,8 @@ LightRig resolve_lights(const Scene& scene, std::span<const LightOption> options
   return rig_of_default(bounds, viewpoint);
 }
 
-std::vector<shared::Light> world_lights(const Scene& scene, const Pose& pose, const LightRig& rig, const Bounds& bounds) {
+std::vector<shared::Light> world_lights(const Scene& scene, const Pose& pose, const LightRig& rig,
+                                        const Bounds& bounds) {
   if (!rig.fixed.empty()) return rig.fixed;
   std::vector<shared::Light> lights;
   for (size_t i = 0; i < scene.lights.size(); ++i)

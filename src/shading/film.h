@@ -39,7 +39,8 @@ struct Film {
   return layers[kind];
 }
 
-/// Clears the film for a frame of these layers and the beauty. Throws UserError for more pixels than the device can bind.
+/// Clears the film for a frame of these layers and the beauty. Throws UserError for more pixels than the device can
+/// bind.
 void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size, const LayerSet& layers = default_layers);
 
 /// A sample begins; its surfaces may come in several portions.
@@ -55,8 +56,8 @@ struct SampleIn {
 /// Adds the surfaces and what was gathered at them. Shadow and tests are added by those who trace.
 void add_sample(gpu::Recorder& recorder, const SampleIn& in, Film& film);
 
-/// The beauty "" and the film's layers by the names of layer_table: light and properties as means over samples, tests as
-/// sums, with the camera's matrices. Without a `background` A is coverage. Submits and waits.
+/// The beauty "" and the film's layers by the names of layer_table: light and properties as means over samples, tests
+/// as sums, with the camera's matrices. Without a `background` A is coverage. Submits and waits.
 [[nodiscard]] Picture take_picture(gpu::Recorder& recorder, const Film& film, const raster::CameraView& view,
                                    const std::optional<glm::vec3>& background);
 

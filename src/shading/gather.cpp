@@ -23,7 +23,8 @@ struct Portion {
   const Children* refraction = nullptr;
 };
 
-/// Batches split surfaces at the same places, so children of different batches cover the same surfaces, or none in common.
+/// Batches split surfaces at the same places, so children of different batches cover the same surfaces, or none in
+/// common.
 std::vector<Portion> portions_of(const Generation& generation) {
   std::vector<Portion> portions;
   for (const Children& children : generation.children) {
@@ -51,7 +52,9 @@ void gather_portion(gpu::Recorder& recorder, const Generation& g, const Portion&
   const Link reflection = link_of(portion.reflection, shared::kind_reflection);
   const Link refraction = link_of(portion.refraction, shared::kind_refraction);
   const gpu::Buffer& nothing = g.emission;
-  const auto ends = [&](const Link& link, const Children* c) -> const gpu::Buffer& { return link.any ? c->ends : nothing; };
+  const auto ends = [&](const Link& link, const Children* c) -> const gpu::Buffer& {
+    return link.any ? c->ends : nothing;
+  };
   const auto totals = [&](const Link& link, const Children* c) -> const gpu::Buffer& {
     return link.any ? or_else(*c->totals, nothing) : nothing;
   };

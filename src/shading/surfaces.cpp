@@ -46,16 +46,21 @@ void surfaces_from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfa
   surfaces.count = generation.count = in.count;
   clear_direct(recorder, generation, 0, in.count);
   const raster::CameraView& view = in.view;
-  const RasterPush push{view.eye, view.orthographic ? 1.0f : 0.0f, view.forward, in.order == RayOrder::tiles ? 1u : 0u,
-                        {in.size.width, in.size.height}, in.first, in.count};
+  const RasterPush push{view.eye,
+                        view.orthographic ? 1.0f : 0.0f,
+                        view.forward,
+                        in.order == RayOrder::tiles ? 1u : 0u,
+                        {in.size.width, in.size.height},
+                        in.first,
+                        in.count};
   const raster::GBuffer& g = in.gbuffer;
   const scene::GpuScene& s = in.scene;
   recorder.dispatch("shading/surfaces_from_raster", in.count, push,
-                    {&g.position, &g.normal, &g.diffuse, &g.specular, &g.triangle,
-                     s.corner_a, s.corner_b, s.corner_c, s.sources, s.triangles, s.vertices, s.instances, s.materials,
-                     s.textures, s.texels[0], s.texels[1], s.texels[2], s.texels[3],
-                     surfaces.position, surfaces.normal, surfaces.geometric, surfaces.incoming, surfaces.diffuse,
-                     surfaces.specular, generation.emission});
+                    {&g.position,        &g.normal,         &g.diffuse,       &g.specular,       &g.triangle,
+                     s.corner_a,         s.corner_b,        s.corner_c,       s.sources,         s.triangles,
+                     s.vertices,         s.instances,       s.materials,      s.textures,        s.texels[0],
+                     s.texels[1],        s.texels[2],       s.texels[3],      surfaces.position, surfaces.normal,
+                     surfaces.geometric, surfaces.incoming, surfaces.diffuse, surfaces.specular, generation.emission});
 }
 
 void surfaces_from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces& surfaces, Generation& generation) {
@@ -67,11 +72,31 @@ void surfaces_from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces&
   const HitsPush push{children.first_ray, in.count, children.surfaces, children.first_surface, children.first_child};
   const scene::GpuScene& s = in.scene;
   recorder.dispatch("shading/surfaces_from_hits", in.count, push,
-                    {in.rays, in.slots, in.hits, in.parents.diffuse, in.parents.specular,
-                     s.corner_a, s.corner_b, s.corner_c, s.sources, s.triangles, s.vertices, s.instances, s.materials,
-                     s.textures, s.texels[0], s.texels[1], s.texels[2], s.texels[3],
-                     surfaces.position, surfaces.normal, surfaces.geometric, surfaces.incoming, surfaces.diffuse,
-                     surfaces.specular, generation.emission});
+                    {in.rays,
+                     in.slots,
+                     in.hits,
+                     in.parents.diffuse,
+                     in.parents.specular,
+                     s.corner_a,
+                     s.corner_b,
+                     s.corner_c,
+                     s.sources,
+                     s.triangles,
+                     s.vertices,
+                     s.instances,
+                     s.materials,
+                     s.textures,
+                     s.texels[0],
+                     s.texels[1],
+                     s.texels[2],
+                     s.texels[3],
+                     surfaces.position,
+                     surfaces.normal,
+                     surfaces.geometric,
+                     surfaces.incoming,
+                     surfaces.diffuse,
+                     surfaces.specular,
+                     generation.emission});
 }
 
 }  // namespace crsh::shading

@@ -17,26 +17,27 @@
 namespace crsh::shading {
 
 /// Six buffers of vec4, one element a surface; the paper's position, normal, diffuse and specular, and what reflection
-/// and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel and path. Shaders bind
-/// them in this order.
+/// and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel and path. Shaders
+/// bind them in this order.
 struct Surfaces {
   gpu::Buffer position;   ///< xyz: world position; w: bits of the drawn triangle's id, `none` where nothing was met
   gpu::Buffer normal;     ///< xyz: shading normal, unit, on the incoming ray's side; w: transmission, 0..1
   gpu::Buffer geometric;  ///< xyz: geometric normal, unit, turned to the incoming ray; w: roughness
-  gpu::Buffer incoming;   ///< xyz: unit direction of the ray that came; w: eta = n(this side) / n(other side), 1 where it does not bend
-  gpu::Buffer diffuse;    ///< rgb: base colour less metal, before transmission takes its share; w: bits of the pixel, row-major in the image
-  gpu::Buffer specular;   ///< rgb: F0; w: bits of the path: 1, then a bit a bounce (0 reflected, 1 refracted)
+  /// xyz: unit direction of the ray that came; w: eta = n(this side) / n(other side), 1: no bend
+  gpu::Buffer incoming;
+  gpu::Buffer diffuse;   ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
+  gpu::Buffer specular;  ///< rgb: F0; w: bits of the path: 1, then a bit a bounce (0 reflected, 1 refracted)
   uint32_t count = 0;
 };
 
 /// The closest-hit rays of one batch, whose hits are surfaces of the next generation.
 struct Children {
-  gpu::Buffer ends;                   ///< the batch's: uint a slot, the inclusive scan of its head flags
-  uint32_t first_surface = 0;         ///< of the parents: the batch's slot 0 of each segment
-  uint32_t surfaces = 0;              ///< slots a segment
+  gpu::Buffer ends;            ///< the batch's: uint a slot, the inclusive scan of its head flags
+  uint32_t first_surface = 0;  ///< of the parents: the batch's slot 0 of each segment
+  uint32_t surfaces = 0;       ///< slots a segment
   std::array<uint32_t, kind_count> first_slot = {shared::none, shared::none, shared::none};  ///< of the kind's segment
-  uint32_t first_ray = 0;             ///< of the batch's closest-hit rays; in creation order they are, from there on,
-  uint32_t first_child = 0;           ///< the surfaces of the next generation from this one on
+  uint32_t first_ray = 0;               ///< of the batch's closest-hit rays; in creation order they are, from there on,
+  uint32_t first_child = 0;             ///< the surfaces of the next generation from this one on
   const gpu::Buffer* totals = nullptr;  ///< of the next generation, once that is gathered
 };
 
@@ -46,7 +47,7 @@ struct Generation {
   gpu::Buffer direct;             ///< vec4: light that shadow rays let through, cd/m2
   gpu::Buffer reflection_weight;  ///< vec4; written where the kind is cast
   gpu::Buffer refraction_weight;
-  std::vector<Children> children; ///< in order of surfaces
+  std::vector<Children> children;  ///< in order of surfaces
   uint32_t count = 0;
 };
 

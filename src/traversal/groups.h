@@ -6,8 +6,8 @@
 
 namespace crsh::traversal {
 
-/// Makes `frontiers` hold those of the level-2 nodes `groups`, one after the other (shaders/shared/walk.h). Records, may
-/// submit.
+/// Makes `frontiers` hold those of the level-2 nodes `groups`, one after the other (shaders/shared/walk.h). Records,
+/// may submit.
 void walk_groups(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects, hierarchy::Range groups,
                  gpu::Buffer& frontiers);
 

@@ -59,25 +59,30 @@ class Descent {
   /// A lane walks one node's list of a batch, so a batch bounds every loop; small submits want small batches.
   [[nodiscard]] uint32_t blocks_a_batch() const {
     const uint64_t blocks = in_.submit_work / (shared::block_triangles * 64);
-    return static_cast<uint32_t>(std::clamp<uint64_t>(blocks, 8, shared::max_batch_triangles / shared::block_triangles));
+    return static_cast<uint32_t>(
+        std::clamp<uint64_t>(blocks, 8, shared::max_batch_triangles / shared::block_triangles));
   }
 
   [[nodiscard]] const Level& level(uint32_t index) const { return in_.hierarchy.levels[index]; }
   [[nodiscard]] uint32_t counter(uint32_t which) const { return in_.counter_row + which; }
-  [[nodiscard]] uint32_t first_account(uint32_t kind, uint32_t index) const { return in_.account.first(kind, index + 1); }
+  [[nodiscard]] uint32_t first_account(uint32_t kind, uint32_t index) const {
+    return in_.account.first(kind, index + 1);
+  }
   [[nodiscard]] std::string bound(const std::string& kernel) const { return kernel + "@" + in_.options.bound; }
   [[nodiscard]] std::string bound_and_lanes(const std::string& kernel) const { return bound(kernel + device_.lanes()); }
-  [[nodiscard]] uint32_t words() const {
-    return in_.options.mesh_culling ? (in_.scene.instance_count + 31) / 32 : 0;
-  }
+  [[nodiscard]] uint32_t words() const { return in_.options.mesh_culling ? (in_.scene.instance_count + 31) / 32 : 0; }
 
   void cull_meshes(Range nodes) {
     const uint64_t count = uint64_t(nodes.count) * words();
     grow(recorder_, scratch_.mesh_hits, std::max<uint64_t>(count, 1) * sizeof(uint32_t), "mesh hits");
     const struct {
       uint32_t first_node, node_count, object_count, use_interval, counter, first_account;
-    } push{nodes.first, nodes.count, in_.scene.instance_count, in_.options.interval,
-           counter(shared::counter_mesh_tests), first_account(shared::tests_object, top_)};
+    } push{nodes.first,
+           nodes.count,
+           in_.scene.instance_count,
+           in_.options.interval,
+           counter(shared::counter_mesh_tests),
+           first_account(shared::tests_object, top_)};
     recorder_.dispatch(in_.account.kernel(bound("traversal/mesh_spheres")), count, push,
                        {level(top_).nodes, level(top_).intervals, in_.scene.object_spheres, scratch_.mesh_hits,
                         in_.counters, in_.account.buffer_or(in_.counters)},
@@ -94,21 +99,26 @@ class Descent {
     const uint32_t lanes = device_.info().subgroup_size;
     const uint32_t padded = (nodes.count + lanes - 1) / lanes * lanes;
     const struct {
-      uint32_t first_node, node_count, padded_nodes, first_block, block_count, words, use_interval, tests, hits, first_account;
-    } push{nodes.first,  nodes.count,          padded,
-           blocks.first, blocks.count,         words(),
-           in_.options.interval, counter(shared::counter_level_tests + top_), counter(shared::counter_level_hits + top_),
+      uint32_t first_node, node_count, padded_nodes, first_block, block_count, words, use_interval, tests, hits,
+          first_account;
+    } push{nodes.first,
+           nodes.count,
+           padded,
+           blocks.first,
+           blocks.count,
+           words(),
+           in_.options.interval,
+           counter(shared::counter_level_tests + top_),
+           counter(shared::counter_level_hits + top_),
            first_account(shared::tests_node, top_)};
-    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/top")), uint64_t(padded) * blocks.count, push,
-                       {level(top_).nodes, level(top_).intervals, in_.scene.blocks, in_.scene.triangle_spheres,
-                        scratch_.mesh_hits, lists.masks, lists.counts, in_.counters,
-                        in_.account.buffer_or(in_.counters), in_.scene.corner_a, in_.scene.corner_b,
-                        in_.scene.corner_c},
-                       masks * shared::block_triangles);
+    recorder_.dispatch(
+        in_.account.kernel(bound_and_lanes("traversal/top")), uint64_t(padded) * blocks.count, push,
+        {level(top_).nodes, level(top_).intervals, in_.scene.blocks, in_.scene.triangle_spheres, scratch_.mesh_hits,
+         lists.masks, lists.counts, in_.counters, in_.account.buffer_or(in_.counters), in_.scene.corner_a,
+         in_.scene.corner_b, in_.scene.corner_c},
+        masks * shared::block_triangles);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanKind::exclusive);
-    const struct {
-      uint32_t count, stride;
-    } bases_push{nodes.count + 1, blocks.count};
+    const struct { uint32_t count, stride; } bases_push{nodes.count + 1, blocks.count};
     recorder_.dispatch("traversal/bases", nodes.count + 1, bases_push, {lists.counts, lists.bases});
     const Bases bases{nodes.first, recorder_.read<uint32_t>(lists.bases, nodes.count + 1)};
     for_portions(bases, level(top_).most_children, [&](Range portion) {
@@ -121,8 +131,7 @@ class Descent {
     LevelScratch& lists = scratch_.levels[top_];
     const struct {
       uint32_t first_node, node_offset, node_count, first_block, block_count, pairs_before;
-    } push{tile.first,   portion.first - tile.first, portion.count,
-           blocks.first, blocks.count,               bases.of(portion.first)};
+    } push{tile.first, portion.first - tile.first, portion.count, blocks.first, blocks.count, bases.of(portion.first)};
     reserve_pairs(lists, bases.of(portion.end()) - bases.of(portion.first));
     recorder_.dispatch({"traversal/emit_top", drop()}, uint64_t(portion.count) * blocks.count, push,
                        {in_.scene.blocks, lists.masks, lists.counts, lists.pairs});
@@ -133,12 +142,18 @@ class Descent {
     LevelScratch& lists = scratch_.levels[index];
     const uint32_t pairs = bases.of(nodes.end()) - bases.of(nodes.first);
     if (index == 0) {
-      intersect_({lists.pairs, bases_of(lists, index), first_base, nodes.first, nodes.end(), pairs, bases.of(nodes.first)});
+      intersect_(
+          {lists.pairs, bases_of(lists, index), first_base, nodes.first, nodes.end(), pairs, bases.of(nodes.first)});
       return;
     }
     const Range children = level(index).children_of(nodes);
-    const Portion all{children.first, children.count,        nodes.first,               nodes.count,
-                      first_base,     bases.of(nodes.first), level(index).most_children};
+    const Portion all{children.first,
+                      children.count,
+                      nodes.first,
+                      nodes.count,
+                      first_base,
+                      bases.of(nodes.first),
+                      level(index).most_children};
     test_children(index - 1, all, pairs);
     const Bases below{children.first, recorder_.read<uint32_t>(scratch_.levels[index - 1].counts, children.count + 1)};
     for_portions(below, level(index - 1).most_children, [&](Range portion) {
@@ -150,19 +165,20 @@ class Descent {
   void test_children(uint32_t index, const Portion& portion, uint32_t pairs) {
     LevelScratch& lists = scratch_.levels[index];
     const LevelScratch& above = scratch_.levels[index + 1];
-    grow(recorder_, lists.masks, uint64_t(pairs / 32 + portion.parent_count) * portion.arity * sizeof(uint32_t), "masks");
+    grow(recorder_, lists.masks, uint64_t(pairs / 32 + portion.parent_count) * portion.arity * sizeof(uint32_t),
+         "masks");
     grow(recorder_, lists.counts, quad_bytes(portion.child_count + 1), "pair bases");
     const struct {
       Portion portion;
       uint32_t use_interval, tests, hits, first_account;
     } push{portion, in_.options.interval, counter(shared::counter_level_tests + index),
            counter(shared::counter_level_hits + index), first_account(shared::tests_node, index)};
-    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/descend")), uint64_t(portion.parent_count) * portion.arity, push,
-                       {level(index).nodes, level(index).intervals, level(index + 1).children, bases_of(above, index + 1), above.pairs,
-                        in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters,
-                        in_.account.buffer_or(in_.counters), in_.scene.corner_a, in_.scene.corner_b,
-                        in_.scene.corner_c},
-                       uint64_t(pairs) * portion.arity);
+    recorder_.dispatch(
+        in_.account.kernel(bound_and_lanes("traversal/descend")), uint64_t(portion.parent_count) * portion.arity, push,
+        {level(index).nodes, level(index).intervals, level(index + 1).children, bases_of(above, index + 1), above.pairs,
+         in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters, in_.account.buffer_or(in_.counters),
+         in_.scene.corner_a, in_.scene.corner_b, in_.scene.corner_c},
+        uint64_t(pairs) * portion.arity);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, portion.child_count + 1,
                      primitives::ScanKind::exclusive);
   }
@@ -214,7 +230,9 @@ class Descent {
   /// An earlier descent with fewer levels may hold more than a level's share is now.
   void give_back() {
     const uint64_t most = pair_capacity() * sizeof(shared::HitPair);
-    const auto holds_more = [&](const LevelScratch& lists) { return std::max(lists.pairs.bytes(), lists.masks.bytes()) > most; };
+    const auto holds_more = [&](const LevelScratch& lists) {
+      return std::max(lists.pairs.bytes(), lists.masks.bytes()) > most;
+    };
     if (std::ranges::none_of(scratch_.levels, holds_more)) return;
     recorder_.submit();
     for (LevelScratch& lists : scratch_.levels) lists = {};

@@ -21,8 +21,8 @@ struct Candidates {
   const gpu::Buffer& bases;  ///< uint, with sentinel
   uint32_t first_base = 0;   ///< element of `bases` that belongs to first_node
   uint32_t first_node = 0, end_node = 0;
-  uint64_t count = 0;        ///< pairs
-  uint32_t pairs_before = 0; ///< value of bases[first_base]: pair 0 of `pairs`
+  uint64_t count = 0;         ///< pairs
+  uint32_t pairs_before = 0;  ///< value of bases[first_base]: pair 0 of `pairs`
 };
 
 /// Pairs, masks and bases of one level of the descent; kept between calls.

@@ -22,8 +22,8 @@ struct OrbitCamera {
   float roll = 0;                   ///< about the line of sight
   float half_height = 0.41421356f;  ///< of the image at distance 1
   bool orthographic = false;
-  float stand_off = 1;              ///< orthographic: metres from the pivot to the eye, where the picture begins
-  glm::mat3 basis{1};               ///< right, up and back at no turn
+  float stand_off = 1;  ///< orthographic: metres from the pivot to the eye, where the picture begins
+  glm::mat3 basis{1};   ///< right, up and back at no turn
 
   [[nodiscard]] glm::vec3 back() const;
   [[nodiscard]] glm::vec3 right() const;

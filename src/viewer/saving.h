@@ -8,8 +8,8 @@
 
 namespace crsh::viewer {
 
-/// The picture that is shown, in full resolution, as `crsh render` would write it with the command that C copies: .png, or
-/// .exr with the layers of --layers. Throws UserError.
+/// The picture that is shown, in full resolution, as `crsh render` would write it with the command that C copies: .png,
+/// or .exr with the layers of --layers. Throws UserError.
 void save_picture(const Model& model, const std::string& path);
 /// Has the shown picture all that this file wants?
 [[nodiscard]] bool can_save(const Model& model, const std::string& path);

@@ -15,9 +15,9 @@ class ShaderFolder {
   /// Throws UserError where there is no such folder.
   explicit ShaderFolder(std::filesystem::path root);
 
-  /// Of the shaders in use ("coherence/trim.comp", "rays/hash@hilbert.comp") compiles those of which a file has changed,
-  /// and puts them in the place of the built-in ones: all or, where one is wrong, none. Returns whether any was; the
-  /// caller makes pipelines anew. Throws UserError: the compiler's line, or what no longer fits.
+  /// Of the shaders in use ("coherence/trim.comp", "rays/hash@hilbert.comp") compiles those of which a file has
+  /// changed, and puts them in the place of the built-in ones: all or, where one is wrong, none. Returns whether any
+  /// was; the caller makes pipelines anew. Throws UserError: the compiler's line, or what no longer fits.
   bool look(const std::vector<std::string>& in_use);
 
  private:

@@ -47,7 +47,8 @@ struct Pixels {
 
 /// What the heat scale of this picture would end at; 0 where it has no such layers.
 [[nodiscard]] double heat_end(const Picture& picture, Show show);
-/// The picture in colours; black where it lacks the layer. `exposure` in stops, of the light; `heat` ends the heat scale.
+/// The picture in colours; black where it lacks the layer. `exposure` in stops, of the light; `heat` ends the heat
+/// scale.
 [[nodiscard]] Pixels in_colours(const Picture& picture, Show show, double exposure, double heat);
 
 }  // namespace crsh::viewer

@@ -134,7 +134,9 @@ TEST_CASE("idiff judges PNG files alike, whatever the tolerance") {
     for (const std::string fail : {"0", "0.02"})
       for (const std::string percent : {"0.5", "2"})
         for (const std::string hard : {"0.06", "1"}) {
-          const output::Tolerance tolerance{.exact = false, .fail = std::stod(fail), .fail_percent = std::stod(percent),
+          const output::Tolerance tolerance{.exact = false,
+                                            .fail = std::stod(fail),
+                                            .fail_percent = std::stod(percent),
                                             .hard_fail = std::stod(hard)};
           const bool ours = output::compare(output::read_image(a), output::read_image(b), {"beauty"}, tolerance).same;
           const auto theirs = test::run_program(

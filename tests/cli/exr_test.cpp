@@ -1,4 +1,5 @@
-// What a rendered EXR says of itself: matrices by OpenEXR's definition, the options that change pixels, and nothing else.
+// What a rendered EXR says of itself: matrices by OpenEXR's definition, the options that change pixels, and nothing
+// else.
 
 #include <ImathMatrix.h>
 #include <ImathVec.h>

@@ -1,4 +1,5 @@
-// What CONTRIBUTING.md says of keys and bounds of one's own, done as it stands there: in NumPy, and in a copy of the tree.
+// What CONTRIBUTING.md says of keys and bounds of one's own, done as it stands there: in NumPy, and in a copy of the
+// tree.
 
 #include <doctest/doctest.h>
 

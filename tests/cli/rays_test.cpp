@@ -18,16 +18,16 @@ bool has_numpy() { return test::run_program(python, {"-c", "import numpy"}).stat
 
 /// Runs a few lines with `z`, the arrays of rays.npz, in the folder; what they put into `z` is saved to own.npz.
 void in_numpy(const test::TemporaryFolder& folder, const std::string& lines, const std::string& save = "savez") {
-  const test::Outcome outcome = test::run_program(
-      python, {"-c", "import numpy as np\nz = dict(np.load('" + folder / "rays.npz" + "'))\n" + lines + "\nnp." + save +
-                         "('" + folder / "own.npz" + "', **z)"});
+  const test::Outcome outcome =
+      test::run_program(python, {"-c", "import numpy as np\nz = dict(np.load('" + folder / "rays.npz" + "'))\n" +
+                                           lines + "\nnp." + save + "('" + folder / "own.npz" + "', **z)"});
   CAPTURE(outcome.err);
   REQUIRE(outcome.status == 0);
 }
 
 test::Outcome dump(const test::TemporaryFolder& folder) {
-  return test::crsh({"render", glass, "-q", "--size", "16x12", "--bounces", "1", "--dump-rays", folder / "rays.npz", "--stats",
-                     folder / "stats.json"});
+  return test::crsh({"render", glass, "-q", "--size", "16x12", "--bounces", "1", "--dump-rays", folder / "rays.npz",
+                     "--stats", folder / "stats.json"});
 }
 
 test::Outcome replay(const std::string& file, std::vector<std::string> options) {
@@ -65,7 +65,8 @@ TEST_CASE("NumPy reads a dump, and a key of one's own, worked out there, sorts t
       replay(folder / "own.npz", {"--key", "file", "--stats", folder / "own.json", "--dump-rays", folder / "rays.npz"});
   CAPTURE(own.err);
   REQUIRE(own.status == 0);
-  const auto before = rays_in(output::read_whole(folder / "stats.json")), after = rays_in(output::read_whole(folder / "own.json"));
+  const auto before = rays_in(output::read_whole(folder / "stats.json")),
+             after = rays_in(output::read_whole(folder / "own.json"));
   for (size_t row = 0; row < before.size(); ++row) CHECK(before[row]["hits_digest"] == after[row]["hits_digest"]);
   CHECK(before != after);  // the nodes are others
   in_numpy(folder,
@@ -108,7 +109,8 @@ TEST_CASE("a file that is cut short, changed or no archive at all is refused in 
   const std::string whole = output::read_whole(folder / "rays.npz");
   std::string changed = whole;
   changed[changed.size() / 8] ^= 0x55;
-  for (const std::string& bytes : {whole.substr(0, whole.size() / 2), changed, std::string("no archive"), std::string()}) {
+  for (const std::string& bytes :
+       {whole.substr(0, whole.size() / 2), changed, std::string("no archive"), std::string()}) {
     output::write_whole(folder / "own.npz", bytes);
     const test::Outcome outcome = replay(folder / "own.npz", {"--stats", "-"});
     CAPTURE(outcome.err);

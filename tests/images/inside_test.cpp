@@ -48,7 +48,8 @@ TEST_CASE("a renderer with changed options renders as a new one") {
 TEST_CASE("a renderer whose kinds of rays change renders as a new one") {
   Renderer renderer(device(), own_scene("cornell"), small());
   (void)renderer.render(0);
-  for (const std::array<bool, kind_count>& rays : {std::array{true, false, true}, {true, true, true}, {false, true, false}, {true, false, false}}) {
+  for (const std::array<bool, kind_count>& rays :
+       {std::array{true, false, true}, {true, true, true}, {false, true, false}, {true, false, false}}) {
     RenderOptions options = small();
     options.rays = rays;
     renderer.change(options);

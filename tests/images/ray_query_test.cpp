@@ -47,7 +47,8 @@ TEST_CASE("ray queries give nearly the same picture as brute force, also of what
       CAPTURE(name);
       CAPTURE(seconds);
       const Rendered queried = render(own_scene(name), small(), seconds);
-      CHECK(share_of_differences(queried.picture, render_with("brute", own_scene(name), small(), seconds).picture) < 0.02);
+      CHECK(share_of_differences(queried.picture, render_with("brute", own_scene(name), small(), seconds).picture) <
+            0.02);
       CHECK(queried.statistics.object_hierarchy.builds == 1);
     }
   CHECK(device().validation_messages() == 0);

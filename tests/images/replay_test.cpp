@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
+#include "images/built_scene.h"
 #include "shared/limits.h"
 #include "support/device.h"
-#include "images/built_scene.h"
 #include "support/render.h"
 
 namespace crsh::test {

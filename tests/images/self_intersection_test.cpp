@@ -89,7 +89,8 @@ TEST_CASE("a light 10 km away from a metre's boxes makes no acne, and its shadow
     if (place.placement.scale == 1) check_boxes(place, {-6000, 7000, -4000}, 0.02);
 }
 
-/// A wide slab, seen from close by: beside the world's origin coordinates are small, but not the slab's and the light's.
+/// A wide slab, seen from close by: beside the world's origin coordinates are small, but not the slab's and the
+/// light's.
 BoxScene wide_slab(double height) {
   return {.boxes = {{{-20, -1, -20}, {20, 0, 20}}},
           .lights = {{3, 8, 5}},

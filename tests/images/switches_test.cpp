@@ -135,7 +135,8 @@ TEST_CASE("rays that are too scattered for nodes go one by one, kind by kind") {
     CHECK(all.triangle_tests == one.triangle_tests);
   }
   // Shadow rays share their origin: they are bundled.
-  const RayStatistics &shadow = rays_of(scattered.statistics, "shadow", 0), &same = rays_of(nodes.statistics, "shadow", 0);
+  const RayStatistics &shadow = rays_of(scattered.statistics, "shadow", 0),
+                      &same = rays_of(nodes.statistics, "shadow", 0);
   CHECK(shadow.levels.size() == 2);
   CHECK(shadow.total_tests() == same.total_tests());
 }

@@ -39,7 +39,8 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
   const auto* triangles = static_cast<const OracleTriangle*>(arguments->geometryUserPtr);
   const Query& query = *reinterpret_cast<const Query*>(arguments->context);
   const uint32_t id = RTCHitN_primID(arguments->hit, arguments->N, 0);
-  const glm::dvec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0), RTCRayN_dir_y(arguments->ray, arguments->N, 0),
+  const glm::dvec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
+                             RTCRayN_dir_y(arguments->ray, arguments->N, 0),
                              RTCRayN_dir_z(arguments->ray, arguments->N, 0));
   if (query.all) query.all->push_back({id, RTCRayN_tfar(arguments->ray, arguments->N, 0)});
   if (query.all || (triangles[id].single_sided && meets_back(triangles[id], direction))) arguments->valid[0] = 0;
@@ -75,8 +76,8 @@ Embree::Embree(std::span<const OracleTriangle> triangles) : state_(std::make_uni
   RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* corners = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), triangles.size() * 3));
-  auto* indices = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), triangles.size()));
+  auto* indices = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   sizeof(glm::uvec3), triangles.size()));
   for (uint32_t i = 0; i < triangles.size(); ++i) {
     corners[3 * i] = triangles[i].a, corners[3 * i + 1] = triangles[i].b, corners[3 * i + 2] = triangles[i].c;
     indices[i] = glm::uvec3(3 * i) + glm::uvec3(0, 1, 2);

@@ -25,8 +25,8 @@ bool apart(const glm::vec3& found, const glm::dvec3& wanted, double size) {
 double size_of(const glm::dmat4& m, const glm::dvec3& p) {
   double size = 0;
   for (int row = 0; row < 3; ++row)
-    size = std::max(size, std::abs(m[0][row] * p.x) + std::abs(m[1][row] * p.y) + std::abs(m[2][row] * p.z) +
-                              std::abs(m[3][row]));
+    size = std::max(
+        size, std::abs(m[0][row] * p.x) + std::abs(m[1][row] * p.y) + std::abs(m[2][row] * p.z) + std::abs(m[3][row]));
   return size;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What the oracle knows of a scene: drawn triangles in world space, as the device has them, and what each does to a ray.
+// What the oracle knows of a scene: drawn triangles in world space, as the device has them, and what each does to a
+// ray.
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -20,8 +21,9 @@ struct OracleTriangle {
 /// The triangles of the scene at time 0 in the order in which they are drawn.
 [[nodiscard]] std::vector<OracleTriangle> oracle_triangles(const scene::Scene& scene);
 
-/// The first triangle that differs from the scene's mesh as its instance stands, worked out in double precision, or from
-/// its material; empty: none.
-[[nodiscard]] std::string difference_from_scene(const std::vector<OracleTriangle>& triangles, const scene::Scene& scene);
+/// The first triangle that differs from the scene's mesh as its instance stands, worked out in double precision, or
+/// from its material; empty: none.
+[[nodiscard]] std::string difference_from_scene(const std::vector<OracleTriangle>& triangles,
+                                                const scene::Scene& scene);
 
 }  // namespace crsh::test

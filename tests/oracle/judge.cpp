@@ -24,8 +24,11 @@ struct Traced {
 };
 
 Traced traced(const RayTable& rays, uint32_t row) {
-  return {{rays.origin[row], rays.direction[row], rays.tmax[row]}, rays.kind[row] == shared::kind_shadow, rays.hit[row],
-          rays.t[row], rays.transmittance[row]};
+  return {{rays.origin[row], rays.direction[row], rays.tmax[row]},
+          rays.kind[row] == shared::kind_shadow,
+          rays.hit[row],
+          rays.t[row],
+          rays.transmittance[row]};
 }
 
 /// Within the margin, or where the ray is too short for that, within `resolution`.
@@ -41,7 +44,8 @@ double resolution(const OracleRay& ray, const OracleTriangle& triangle) {
   const glm::dvec3 a(triangle.a), b(triangle.b), c(triangle.c), direction(ray.direction);
   const double cosine = std::abs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), direction));
   const double size = std::max({largest(ray.origin), largest(a), largest(b), largest(c)});
-  const auto [nearest, farthest] = std::minmax({glm::dot(a, direction), glm::dot(b, direction), glm::dot(c, direction)});
+  const auto [nearest, farthest] =
+      std::minmax({glm::dot(a, direction), glm::dot(b, direction), glm::dot(c, direction)});
   return std::max(4 * 0x1p-23 * size / std::max(cosine, 1e-6), margin * (farthest - nearest));
 }
 
@@ -100,7 +104,8 @@ Finding find_closest(const Traced& traced, const std::vector<Met>& met) {
     if (m.meeting == Meeting::sure) sure = std::min(sure, m.t);
     any = std::min(any, m.t);
   }
-  if (traced.hit == shared::none) return std::isfinite(sure) ? Finding::wrong : met.empty() ? Finding::right : Finding::exception;
+  if (traced.hit == shared::none)
+    return std::isfinite(sure) ? Finding::wrong : met.empty() ? Finding::right : Finding::exception;
   if (!own || !same_distance(own->t, traced.t, own->resolution)) return Finding::wrong;
   const double nearest = own->t - std::max(margin * own->t, own->resolution);
   if (sure < nearest) return Finding::wrong;
@@ -109,9 +114,11 @@ Finding find_closest(const Traced& traced, const std::vector<Met>& met) {
 }
 
 /// Whether any choice among the doubtful meetings from `first` on makes up the words.
-bool made_up(const glm::uvec3& words, const glm::uvec3& wanted, const std::vector<const OracleTriangle*>& doubtful, size_t first) {
+bool made_up(const glm::uvec3& words, const glm::uvec3& wanted, const std::vector<const OracleTriangle*>& doubtful,
+             size_t first) {
   if (first == doubtful.size()) return words == wanted;
-  return made_up(words, wanted, doubtful, first + 1) || made_up(passed(words, *doubtful[first]), wanted, doubtful, first + 1);
+  return made_up(words, wanted, doubtful, first + 1) ||
+         made_up(passed(words, *doubtful[first]), wanted, doubtful, first + 1);
 }
 
 Finding find_shadow(const Traced& traced, const std::vector<Met>& met, const std::vector<OracleTriangle>& triangles) {
@@ -135,10 +142,11 @@ Finding find(const Traced& traced, const std::vector<OracleTriangle>& triangles)
 
 std::string sentence(const RayTable& rays, uint32_t row) {
   const glm::vec3 &o = rays.origin[row], &d = rays.direction[row];
-  return fmt::format("ray {} of kind {} and bounce {}, from ({}, {}, {}) along ({}, {}, {}) to {}: triangle {} at {}, "
-                     "transmittance ({:x}, {:x}, {:x})",
-                     row, rays.kind[row], rays.bounce[row], o.x, o.y, o.z, d.x, d.y, d.z, rays.tmax[row], int(rays.hit[row]),
-                     rays.t[row], rays.transmittance[row].x, rays.transmittance[row].y, rays.transmittance[row].z);
+  return fmt::format(
+      "ray {} of kind {} and bounce {}, from ({}, {}, {}) along ({}, {}, {}) to {}: triangle {} at {}, "
+      "transmittance ({:x}, {:x}, {:x})",
+      row, rays.kind[row], rays.bounce[row], o.x, o.y, o.z, d.x, d.y, d.z, rays.tmax[row], int(rays.hit[row]),
+      rays.t[row], rays.transmittance[row].x, rays.transmittance[row].y, rays.transmittance[row].z);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct Verdict {
   std::string first_wrong;  ///< a sentence
 };
 
-/// Whether every ray of the table met what it ought to among the triangles: hit or miss, its distance within 1e-5 t, and
-/// what shadow rays let through.
+/// Whether every ray of the table met what it ought to among the triangles: hit or miss, its distance within 1e-5 t,
+/// and what shadow rays let through.
 [[nodiscard]] Verdict judged(const RayTable& rays, const std::vector<OracleTriangle>& triangles);
 
 }  // namespace crsh::test

@@ -45,8 +45,8 @@ RayTable rays_of(const scene::Scene& scene, const RenderOptions& options) {
 
 /// Rays and hits, bit for bit.
 bool same_rays(const RayTable& a, const RayTable& b) {
-  return a.origin == b.origin && a.direction == b.direction && a.tmax == b.tmax && a.pixel == b.pixel && a.hit == b.hit &&
-         a.t == b.t && a.transmittance == b.transmittance;
+  return a.origin == b.origin && a.direction == b.direction && a.tmax == b.tmax && a.pixel == b.pixel &&
+         a.hit == b.hit && a.t == b.t && a.transmittance == b.transmittance;
 }
 
 void check_verdict(const Verdict& verdict) {
@@ -134,7 +134,8 @@ TEST_CASE("Embree agrees on every ray of the shared scenes, and all presets agre
 }
 
 /// What the oracle finds while a fault is at work.
-uint64_t wrong_under(const std::string& mutation, const std::string& algorithm, const scene::Scene& scene, RenderOptions options) {
+uint64_t wrong_under(const std::string& mutation, const std::string& algorithm, const scene::Scene& scene,
+                     RenderOptions options) {
   options.algorithm = preset(algorithm);
   options.algorithm.least_rays = 0;
   options.mutation = mutation;

@@ -62,7 +62,8 @@ TEST_CASE("no hit on a hard triangle is culled, near or far from the origin") {
 TEST_CASE("no hit is culled of rays along axes and in the planes of boxes") {
   for (const float distance : {0.0f, 1e4f}) {
     Random random(5);
-    const Triangles flat = moved(wall(12), glm::vec3(distance)), round = moved(closed_mesh(2, glm::vec3(0), 1), glm::vec3(distance)),
+    const Triangles flat = moved(wall(12), glm::vec3(distance)),
+                    round = moved(closed_mesh(2, glm::vec3(0), 1), glm::vec3(distance)),
                     slivers = moved(hard_triangles(random, 300), glm::vec3(distance));
     for (const Triangles& triangles : {flat, round, slivers}) {
       CAPTURE(distance);

@@ -148,9 +148,9 @@ TEST_CASE("indices past their vertices, of the wrong type, and sparse ones past 
   file.primitives = R"({"attributes":{"POSITION":0},"indices":2})";
   says(complaint(file), "unsigned whole numbers");
   file.primitives = R"({"attributes":{"POSITION":3}})";
-  file.accessor(
-      "VEC3", 5126, 3,
-      R"(,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123,"byteOffset":4},"values":{"bufferView":0}})");
+  file.accessor("VEC3", 5126, 3,
+                R"(,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123,"byteOffset":4},
+"values":{"bufferView":0}})");
   says(complaint(file), "names an element that accessors[3] does not have");
   file.accessors.back() = replaced(file.accessors.back(), R"("sparse":{"count":1)", R"("sparse":{"count":9)");
   says(complaint(file), "more elements");
@@ -222,7 +222,8 @@ TEST_CASE("a picture that claims to be huge is left out, not unpacked") {
     file.view(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16) + size + std::string("\x08\x06\0\0\0\0\0\0\0", 9));
     file.primitives = R"({"attributes":{"POSITION":0},"material":0})";
     file.more =
-        R"(,"materials":[{"emissiveTexture":{"index":0}}],"textures":[{"source":0}],"images":[{"bufferView":1,"mimeType":"image/png"}])";
+        R"(,"materials":[{"emissiveTexture":{"index":0}}],"textures":[{"source":0}],"images":[{"bufferView":1,
+"mimeType":"image/png"}])";
     const scene::Scene scene = file.load();
     CHECK(scene.images.empty());
     CHECK(scene.unsupported.size() == 1);

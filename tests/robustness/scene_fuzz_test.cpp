@@ -32,15 +32,23 @@ GltfText everything() {
   file.values<float>("VEC4", 5126, 2, {0, 0, 0, 1, 0, 1, 0, 0});
   file.values<float>("MAT4", 5126, 1, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
   file.primitives =
-      R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"COLOR_0":3},"indices":4,"material":0},{"attributes":{"POSITION":5},"mode":5})";
+      R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"COLOR_0":3},"indices":4,"material":0},
+{"attributes":{"POSITION":5},"mode":5})";
   file.nodes =
-      R"({"children":[1,2,3]},{"mesh":0,"skin":0},{"camera":0,"rotation":[0,0,0,1]},{"mesh":0,"extensions":{"KHR_lights_punctual":{"light":0}}})";
+      R"({"children":[1,2,3]},{"mesh":0,"skin":0},{"camera":0,"rotation":[0,0,0,1]},{"mesh":0,
+"extensions":{"KHR_lights_punctual":{"light":0}}})";
   file.more =
-      R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,1]}}],"textures":[{"source":0,"sampler":0}],
-    "samplers":[{"wrapS":33071}],"images":[{"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="}],
-    "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],"skins":[{"joints":[2],"inverseBindMatrices":8}],
-    "extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{}}]}},
-    "animations":[{"channels":[{"sampler":0,"target":{"node":3,"path":"rotation"}}],"samplers":[{"input":6,"output":7}]}])";
+      R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,1]}}],
+"textures":[{"source":0,"sampler":0}],
+    "samplers":[{"wrapS":33071}],
+"images":[{"uri":"data:image/png;base64,)"
+      R"(iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="}],
+    "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],"skins":[{"joints":[2],
+"inverseBindMatrices":8}],
+    "extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot",
+"spot":{}}]}},
+    "animations":[{"channels":[{"sampler":0,"target":{"node":3,"path":"rotation"}}],"samplers":[{"input":6,
+"output":7}]}])";
   return file;
 }
 

@@ -44,7 +44,8 @@ rays::Batch mixed_batch() {
   return test::make_batch(all, segments);
 }
 
-std::vector<uint32_t> ordered(const rays::Batch& batch, const rays::Keys& keys, bool compression, Order& out, bool unstable = false) {
+std::vector<uint32_t> ordered(const rays::Batch& batch, const rays::Keys& keys, bool compression, Order& out,
+                              bool unstable = false) {
   gpu::Recorder recorder(test::device());
   OrderScratch scratch;
   order(recorder, scratch, {batch, keys, test::unit_bounds(), compression, unstable}, out);
@@ -83,7 +84,8 @@ TEST_CASE("trimming moves every ray to its place and remembers its slot") {
       flags.resize(primitives::quad_bytes(slots) / 4, 1);
       gpu::Recorder recorder(test::device());
       TrimScratch scratch;
-      const gpu::Buffer from = gpu::upload(test::device(), sparse, "sparse"), heads = gpu::upload(test::device(), flags, "flags");
+      const gpu::Buffer from = gpu::upload(test::device(), sparse, "sparse"),
+                        heads = gpu::upload(test::device(), flags, "flags");
       trim(recorder, scratch, from, heads, batch);
       recorder.submit();
       CAPTURE(surfaces);
@@ -196,9 +198,11 @@ TEST_CASE("gathering writes the rays in sorted order") {
   gpu::Recorder recorder(test::device());
   gpu::Buffer sorted;
   gather(recorder, batch, out, sorted);
-  const std::vector<shared::Ray> before = recorder.read<shared::Ray>(batch.rays, batch.count), after = recorder.read<shared::Ray>(sorted, batch.count);
+  const std::vector<shared::Ray> before = recorder.read<shared::Ray>(batch.rays, batch.count),
+                                 after = recorder.read<shared::Ray>(sorted, batch.count);
   uint32_t wrong = 0;
-  for (uint32_t i = 0; i < batch.count; ++i) wrong += after[i].origin != before[expected[i]].origin || after[i].direction != before[expected[i]].direction;
+  for (uint32_t i = 0; i < batch.count; ++i)
+    wrong += after[i].origin != before[expected[i]].origin || after[i].direction != before[expected[i]].direction;
   CHECK(wrong == 0);
 }
 

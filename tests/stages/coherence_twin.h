@@ -16,7 +16,8 @@ struct ChunksTwin {
 inline ChunksTwin compress_twin(const std::vector<uint32_t>& keys) {
   ChunksTwin chunks;
   for (uint32_t i = 0; i < keys.size(); ++i) {
-    if (i == 0 || keys[i] != keys[i - 1]) chunks.keys.push_back(keys[i]), chunks.bases.push_back(i), chunks.sizes.push_back(0);
+    if (i == 0 || keys[i] != keys[i - 1])
+      chunks.keys.push_back(keys[i]), chunks.bases.push_back(i), chunks.sizes.push_back(0);
     ++chunks.sizes.back();
   }
   return chunks;

@@ -252,8 +252,9 @@ TEST_CASE("how many rays nodes would hold is found from a sample of the rays as 
     for (const uint32_t bunch : {1u, 3u, 5u, 1'000u}) {
       CAPTURE(count);
       CAPTURE(bunch);
-      const SortedBatch batch = make_batch(test::device(), {bunched(count, bunch, shared::kind_shadow), {},
-                                                            bunched(count, bunch, shared::kind_reflection)});
+      const SortedBatch batch =
+          make_batch(test::device(),
+                     {bunched(count, bunch, shared::kind_shadow), {}, bunched(count, bunch, shared::kind_reflection)});
       const std::vector<float> means = hierarchy::rays_a_node(recorder, {batch.batch, options, 1}, sums);
       CHECK(std::isinf(means[0]));
       CHECK(std::isinf(means[1]));

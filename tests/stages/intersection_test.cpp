@@ -56,8 +56,9 @@ std::vector<Trial> trials(uint32_t seed, uint32_t count) {
     const struct {
       uint32_t first_ray, ray_count, first_triangle, triangle_count, counter, first_account;
     } push{0, rays_a_triangle, i, 1, 0, 0};
-    recorder.dispatch("intersection/brute", rays_a_triangle, push,
-                      {scene.corner_a, scene.corner_b, scene.corner_c, scene.materials, hits, rays, counters, counters});
+    recorder.dispatch(
+        "intersection/brute", rays_a_triangle, push,
+        {scene.corner_a, scene.corner_b, scene.corner_c, scene.materials, hits, rays, counters, counters});
     trial.hits = recorder.read<glm::uvec4>(hits, rays_a_triangle);
     trials.push_back(std::move(trial));
   }

@@ -114,7 +114,8 @@ TEST_CASE("the Hilbert key walks the octahedral square from neighbour to neighbo
     uint32_t jumps = 0;
     for (uint32_t i = 1; i < cell_at.size(); ++i) {
       REQUIRE(cell_at[i] != UINT32_MAX);  // every place on the stretch is taken, so none twice
-      const int dx = int(cell_at[i] % side) - int(cell_at[i - 1] % side), dy = int(cell_at[i] / side) - int(cell_at[i - 1] / side);
+      const int dx = int(cell_at[i] % side) - int(cell_at[i - 1] % side),
+                dy = int(cell_at[i] / side) - int(cell_at[i - 1] / side);
       jumps += std::abs(dx) + std::abs(dy) != 1;
     }
     CHECK(jumps == 0);
@@ -126,7 +127,8 @@ TEST_CASE("rays that are neighbours in key order are nearer in direction than in
   const auto mean_angle = [&](const std::vector<uint32_t>& order) {
     double sum = 0;
     for (size_t i = 1; i < order.size(); ++i)
-      sum += std::acos(std::clamp(double(glm::dot(glm::vec3(rays[order[i]].direction), glm::vec3(rays[order[i - 1]].direction))), -1.0, 1.0));
+      sum += std::acos(std::clamp(
+          double(glm::dot(glm::vec3(rays[order[i]].direction), glm::vec3(rays[order[i - 1]].direction))), -1.0, 1.0));
     return sum / double(order.size() - 1);
   };
   std::vector<uint32_t> created(rays.size());

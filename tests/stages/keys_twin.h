@@ -1,5 +1,6 @@
 #pragma once
-// The sort keys again in plain C++, from the same definitions (shaders/lib, shaders/rays/keys), and rays to try them on.
+// The sort keys again in plain C++, from the same definitions (shaders/lib, shaders/rays/keys), and rays to try them
+// on.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,9 @@ inline uint32_t cell_twin(float place, uint32_t bits) {
 inline glm::vec2 octahedral_twin(glm::vec3 d) {
   const float inverse = 1.0f / ((std::abs(d.x) + std::abs(d.y)) + std::abs(d.z));
   glm::vec2 p{d.x * inverse, d.z * inverse};
-  if (d.y > 0) p = {std::copysign(1 - std::abs(p.y), d.x < 0 ? -1.0f : 1.0f), std::copysign(1 - std::abs(p.x), d.z < 0 ? -1.0f : 1.0f)};
+  if (d.y > 0)
+    p = {std::copysign(1 - std::abs(p.y), d.x < 0 ? -1.0f : 1.0f),
+         std::copysign(1 - std::abs(p.x), d.z < 0 ? -1.0f : 1.0f)};
   return p * 0.5f + 0.5f;
 }
 
@@ -38,7 +41,8 @@ inline uint32_t interleave_twin(const std::vector<uint32_t>& coordinates, uint32
   return code;
 }
 
-/// By the four quadrants of a square in turn: the curve enters at the near left corner and leaves at the near right one.
+/// By the four quadrants of a square in turn: the curve enters at the near left corner and leaves at the near right
+/// one.
 inline uint32_t hilbert_twin(uint32_t x, uint32_t y, uint32_t bits) {
   if (bits == 0) return 0;
   const uint32_t half = 1u << (bits - 1), quarter = half * half;
@@ -69,8 +73,13 @@ inline glm::vec2 spherical_twin(glm::vec3 d) {
 }
 
 inline uint32_t key_twin(const std::string& name, glm::vec3 place, glm::vec3 d, uint32_t kind) {
-  const auto origin = [&](uint32_t bits) { return std::vector{cell_twin(place.x, bits), cell_twin(place.y, bits), cell_twin(place.z, bits)}; };
-  const auto direction = [&](uint32_t bits) { const glm::uvec2 c = octahedral_cell_twin(d, bits); return std::vector{c.x, c.y}; };
+  const auto origin = [&](uint32_t bits) {
+    return std::vector{cell_twin(place.x, bits), cell_twin(place.y, bits), cell_twin(place.z, bits)};
+  };
+  const auto direction = [&](uint32_t bits) {
+    const glm::uvec2 c = octahedral_cell_twin(d, bits);
+    return std::vector{c.x, c.y};
+  };
   if (name == "hilbert") return hilbert_twin(direction(12)[0], direction(12)[1], 12);
   if (name == "octahedral") return interleave_twin(direction(12), 12);
   if (name == "origin-direction") return interleave_twin(origin(5), 5) << 11 | interleave_twin(direction(6), 6) >> 1;

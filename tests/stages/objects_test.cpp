@@ -144,8 +144,8 @@ TEST_CASE("the tree costs little more than that of a binned SAH build, on the pr
 }
 
 TEST_CASE("the tree costs little more than that of a binned SAH build, on real scenes") {
-  for (const char* path : {"sponza/sponza_whole.glb", "office/office_drafting_objects.glb", "cornell/cornell_six_mirrors_790.glb",
-                           "models/bunny_69k.glb"}) {
+  for (const char* path : {"sponza/sponza_whole.glb", "office/office_drafting_objects.glb",
+                           "cornell/cornell_six_mirrors_790.glb", "models/bunny_69k.glb"}) {
     const scene::Scene* scene = shared_scene(path);
     if (!scene) {
       MESSAGE("skipped: ", path, " is not here (CRSH_SHARED_SCENES, ../shared/scenes)");
@@ -225,8 +225,9 @@ TEST_CASE("rays one by one meet what brute force does, and count what they test"
   Random random(11);
   const Triangles triangles = hard(1500);
   Tracer tracer(test::device());
-  const scene::GpuScene scene = make_scene(
-      tracer.recorder(), {{.triangles = triangles}, {.triangles = hard(500), .transmissive = true, .single_sided = true}});
+  const scene::GpuScene scene =
+      make_scene(tracer.recorder(),
+                 {{.triangles = triangles}, {.triangles = hard(500), .transmissive = true, .single_sided = true}});
   const SortedBatch rays = make_batch(test::device(), {light_rays(random, triangles, 2000),
                                                        mirror_rays(random, triangles, 2000, shared::kind_reflection),
                                                        stray_rays(random, triangles, 2000, shared::kind_refraction)});
@@ -234,7 +235,8 @@ TEST_CASE("rays one by one meet what brute force does, and count what they test"
   CHECK(different_hits(brute, single).empty());
   for (uint32_t kind = 0; kind < 3; ++kind) {
     CHECK(single.counter(kind, shared::counter_box_tests) > 2 * 2000);
-    CHECK(single.counter(kind, shared::counter_triangle_tests) < brute.counter(kind, shared::counter_triangle_tests) / 4);
+    CHECK(single.counter(kind, shared::counter_triangle_tests) <
+          brute.counter(kind, shared::counter_triangle_tests) / 4);
   }
   const Traced small = tracer.trace_single(scene, rays, 5000);
   CHECK(different_hits(single, small).empty());
@@ -246,7 +248,8 @@ TEST_CASE("rays that need very many tests go on from dispatch to dispatch" * doc
   const Triangles triangles(count, Triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
   Tracer tracer(test::device());
   for (const bool transmissive : {false, true}) {
-    const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = triangles, .transmissive = transmissive}});
+    const scene::GpuScene scene =
+        make_scene(tracer.recorder(), {{.triangles = triangles, .transmissive = transmissive}});
     std::vector<shared::Ray> shadow, reflection;
     for (int i = 0; i < 40; ++i) {
       const glm::vec3 from(0.01f * float(i), 0, 2), to(0.005f * float(i), 0.1f, -2);
@@ -266,8 +269,8 @@ TEST_CASE("rays over one triangle, or none") {
   const Triangle one{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
   for (const uint32_t count : {0u, 1u}) {
     const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = Triangles(count, one)}});
-    const SortedBatch rays = make_batch(
-        test::device(), {{ray_between({0, 0, 1}, {0, 0, -1}, shared::kind_reflection), ray_between({9, 0, 1}, {9, 0, 2}, shared::kind_reflection)}});
+    const SortedBatch rays = make_batch(test::device(), {{ray_between({0, 0, 1}, {0, 0, -1}, shared::kind_reflection),
+                                                          ray_between({9, 0, 1}, {9, 0, 2}, shared::kind_reflection)}});
     const Traced single = tracer.trace_single(scene, rays);
     CHECK(different_hits(tracer.trace_all(scene, rays), single).empty());
     CHECK(single.counter(shared::kind_reflection, shared::counter_triangle_tests) == count);

@@ -12,7 +12,8 @@ namespace crsh::test {
 inline constexpr std::array<uint32_t, 9> lengths = {0, 1, 7, 8, 255, 256, 257, 65'537, 1'000'003};
 
 enum class Pattern { all_equal, sorted, reversed, random };
-inline constexpr std::array<Pattern, 4> patterns = {Pattern::all_equal, Pattern::sorted, Pattern::reversed, Pattern::random};
+inline constexpr std::array<Pattern, 4> patterns = {Pattern::all_equal, Pattern::sorted, Pattern::reversed,
+                                                    Pattern::random};
 
 inline std::string name_of(Pattern pattern) {
   constexpr std::array names = {"all equal", "sorted", "reversed", "random"};

@@ -35,7 +35,8 @@ Seen see(const SmallScene& small, const raster::CameraView& view, raster::ImageS
   const uint32_t n = size.width * size.height;
   shading::surfaces_from_raster(recorder, {gbuffer, gpu, view, size, RayOrder::scanline, 0, n}, s, g);
   const auto read = [&](const gpu::Buffer& buffer) { return recorder.read<glm::vec4>(buffer, n); };
-  return {read(s.position), read(s.normal), read(s.geometric), read(s.incoming), read(s.diffuse), read(s.specular), read(g.emission)};
+  return {read(s.position), read(s.normal),   read(s.geometric), read(s.incoming),
+          read(s.diffuse),  read(s.specular), read(g.emission)};
 }
 
 raster::CameraView front_view(bool orthographic, float half, raster::ImageSize size) {
@@ -53,7 +54,8 @@ struct DoubleRay {
 };
 
 DoubleRay pixel_ray(const raster::CameraView& view, raster::ImageSize size, double x, double y) {
-  const double across = (2 * x / size.width - 1) * view.half_width, above = (1 - 2 * y / size.height) * view.half_height;
+  const double across = (2 * x / size.width - 1) * view.half_width,
+               above = (1 - 2 * y / size.height) * view.half_height;
   const glm::dvec3 side = glm::dvec3(view.right) * across + glm::dvec3(view.up) * above;
   if (view.orthographic) return {glm::dvec3(view.eye) + side, glm::dvec3(view.forward)};
   return {glm::dvec3(view.eye), glm::normalize(glm::dvec3(view.forward) + side)};
@@ -68,10 +70,12 @@ DoubleHit nearest(const SmallScene& small, const DoubleRay& ray) {
   DoubleHit best;
   const scene::Mesh& mesh = small.scene.meshes[0];
   for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const glm::dvec3 a(mesh.positions[3 * i]), ab = glm::dvec3(mesh.positions[3 * i + 1]) - a, ac = glm::dvec3(mesh.positions[3 * i + 2]) - a;
+    const glm::dvec3 a(mesh.positions[3 * i]), ab = glm::dvec3(mesh.positions[3 * i + 1]) - a,
+                                               ac = glm::dvec3(mesh.positions[3 * i + 2]) - a;
     const glm::dvec3 p = glm::cross(ray.direction, ac), s = ray.origin - a, q = glm::cross(s, ab);
     const double determinant = glm::dot(ab, p);
-    const double u = glm::dot(s, p) / determinant, v = glm::dot(ray.direction, q) / determinant, t = glm::dot(ac, q) / determinant;
+    const double u = glm::dot(s, p) / determinant, v = glm::dot(ray.direction, q) / determinant,
+                 t = glm::dot(ac, q) / determinant;
     const bool back = determinant < 0, passes = back && !small.scene.materials[mesh.materials[i]].double_sided;
     if (u >= 0 && v >= 0 && u + v <= 1 && t > 0 && t < best.t && !passes) best = {i, t};
   }
@@ -79,7 +83,8 @@ DoubleHit nearest(const SmallScene& small, const DoubleRay& ray) {
 }
 
 /// The triangle that all rays a 50th of a pixel around this place meet; none where they disagree.
-std::optional<DoubleHit> agreed(const SmallScene& small, const raster::CameraView& view, raster::ImageSize size, double x, double y) {
+std::optional<DoubleHit> agreed(const SmallScene& small, const raster::CameraView& view, raster::ImageSize size,
+                                double x, double y) {
   const DoubleHit middle = nearest(small, pixel_ray(view, size, x, y));
   for (int corner = 0; corner < 4; ++corner) {
     const double dx = corner % 2 ? 0.02 : -0.02, dy = corner / 2 ? 0.02 : -0.02;
@@ -88,7 +93,8 @@ std::optional<DoubleHit> agreed(const SmallScene& small, const raster::CameraVie
   return middle;
 }
 
-void compare_with_rays(const SmallScene& small, const raster::CameraView& view, raster::ImageSize size, glm::vec2 jitter) {
+void compare_with_rays(const SmallScene& small, const raster::CameraView& view, raster::ImageSize size,
+                       glm::vec2 jitter) {
   const Seen seen = see(small, view, size, jitter);
   uint32_t compared = 0, met = 0;
   for (uint32_t i = 0; i < size.width * size.height; ++i) {
@@ -130,7 +136,8 @@ TEST_CASE("each pixel shows the triangle that a ray through it meets first" * do
   const raster::ImageSize size{61, 43};
   for (const bool orthographic : {false, true})
     for (const bool double_sided : {false, true})
-      compare_with_rays(clutter(double_sided), front_view(orthographic, orthographic ? 3.0f : 0.6f, size), size, {0, 0});
+      compare_with_rays(clutter(double_sided), front_view(orthographic, orthographic ? 3.0f : 0.6f, size), size,
+                        {0, 0});
 }
 
 TEST_CASE("a sample off the pixel's centre shows what a ray through it meets") {
@@ -167,7 +174,8 @@ TEST_CASE("an empty scene leaves every pixel empty") {
   }
 }
 
-TEST_CASE("materials: diffuse, F0, roughness, transmission and emission come from factors, textures and vertex colours") {
+TEST_CASE(
+    "materials: diffuse, F0, roughness, transmission and emission come from factors, textures and vertex colours") {
   SmallScene small;
   scene::Material material = test::matt(glm::vec3(0.8f, 0.4f, 0.2f));
   material.metallic = 0.5f;
@@ -212,7 +220,8 @@ double sampled(const scene::Image& image, const scene::Texture& texture, double 
     const long i = long(std::floor(x)) + corner % 2, j = long(std::floor(y)) + corner / 2;
     const double share_x = corner % 2 ? x - std::floor(x) : 1 - (x - std::floor(x));
     const double share_y = corner / 2 ? y - std::floor(y) : 1 - (y - std::floor(y));
-    const size_t at = size_t(wrapped(j, int(image.height), texture.wrap_t)) * image.width + size_t(wrapped(i, int(image.width), texture.wrap_s));
+    const size_t at = size_t(wrapped(j, int(image.height), texture.wrap_t)) * image.width +
+                      size_t(wrapped(i, int(image.width), texture.wrap_s));
     sum += decoded(image.rgba[at * 4]) * (texture.nearest ? 1 : share_x * share_y);
   }
   return sum;
@@ -226,7 +235,8 @@ TEST_CASE("the texture sampler wraps, filters and decodes as its twin does") {
   const raster::CameraView view = front_view(true, 2.3f, size);
   using scene::Wrap;
   for (const bool nearest : {false, true})
-    for (const auto& [s, t] : {std::pair(Wrap::repeat, Wrap::mirror), {Wrap::mirror, Wrap::clamp}, {Wrap::clamp, Wrap::repeat}}) {
+    for (const auto& [s, t] :
+         {std::pair(Wrap::repeat, Wrap::mirror), {Wrap::mirror, Wrap::clamp}, {Wrap::clamp, Wrap::repeat}}) {
       SmallScene small;
       scene::Material material = test::matt(glm::vec3(1));
       material.base_colour_texture = {0u, 0};

@@ -36,27 +36,38 @@ struct Created {
   std::vector<glm::vec4> reflection, refraction;
 };
 
-Created create(const std::vector<Point>& points, const std::vector<shared::Light>& lights, const rays::BatchPlan& plan, bool mirror = false) {
+Created create(const std::vector<Point>& points, const std::vector<shared::Light>& lights, const rays::BatchPlan& plan,
+               bool mirror = false) {
   gpu::Recorder recorder(test::device());
   test::HandMade made = test::upload_points(points);
   const scene::GpuScene gpu = some_triangles().on(recorder, {lights, {}});
   rays::Sparse sparse;
   rays::create(recorder, {made.surfaces, gpu, plan, mirror}, sparse, made.generation);
-  Created out{recorder.read<glm::vec4>(gpu.triangle_spheres, triangles), recorder.read<shared::Ray>(sparse.rays, sparse.slots), recorder.read<uint32_t>(sparse.flags, sparse.slots), {}, {}};
-  const auto weights = [&](const gpu::Buffer& b) { return b.bytes() ? recorder.read<glm::vec4>(b, points.size()) : std::vector<glm::vec4>{}; };
+  Created out{recorder.read<glm::vec4>(gpu.triangle_spheres, triangles),
+              recorder.read<shared::Ray>(sparse.rays, sparse.slots),
+              recorder.read<uint32_t>(sparse.flags, sparse.slots),
+              {},
+              {}};
+  const auto weights = [&](const gpu::Buffer& b) {
+    return b.bytes() ? recorder.read<glm::vec4>(b, points.size()) : std::vector<glm::vec4>{};
+  };
   out.reflection = weights(made.generation.reflection_weight);
   out.refraction = weights(made.generation.refraction_weight);
   return out;
 }
 
-rays::BatchPlan plan_of(std::vector<rays::Wanted> segments, size_t surfaces) { return {std::move(segments), 0, uint32_t(surfaces)}; }
+rays::BatchPlan plan_of(std::vector<rays::Wanted> segments, size_t surfaces) {
+  return {std::move(segments), 0, uint32_t(surfaces)};
+}
 
 double largest(glm::vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
-/// How far from its surface a ray starts: 2^-16 of the point's coordinates, 2^-20 of its triangle's and the ray's other end's.
+/// How far from its surface a ray starts: 2^-16 of the point's coordinates, 2^-20 of its triangle's and the ray's other
+/// end's.
 double step(const Created& created, const Point& p, glm::vec3 other_end = glm::vec3(0)) {
   const glm::vec4 sphere = created.spheres[p.triangle];
-  return std::max(std::ldexp(largest(p.position), -16), std::ldexp(std::max(largest(sphere) + sphere.w, largest(other_end)), -20));
+  return std::max(std::ldexp(largest(p.position), -16),
+                  std::ldexp(std::max(largest(sphere) + sphere.w, largest(other_end)), -20));
 }
 
 glm::dvec3 moved(const Point& p, double by) { return glm::dvec3(p.position) + glm::dvec3(p.geometric) * by; }
@@ -66,12 +77,14 @@ shared::Light light_at(glm::vec3 position, float range, glm::vec2 cone = {0, 1},
   return {glm::vec4(position, 0), glm::vec4(axis, range), glm::vec4(1), glm::vec4(cone, 0, 0)};
 }
 
-TEST_CASE("shadow rays run from the light to the offset point, where it shines on the front and reaches it" * doctest::test_suite("subset")) {
+TEST_CASE("shadow rays run from the light to the offset point, where it shines on the front and reaches it" *
+          doctest::test_suite("subset")) {
   test::Random random(11);
   const std::vector<Point> points = test::random_points(random, 3000);
   const float endless = std::numeric_limits<float>::infinity();
-  const std::vector<shared::Light> lights = {light_at({3, 4, 5}, endless), light_at({-30, 40, 0}, 60),
-                                             light_at({0, 0, 90}, endless, {8, -7}, glm::normalize(glm::vec3(0.1f, 0, -1)))};
+  const std::vector<shared::Light> lights = {
+      light_at({3, 4, 5}, endless), light_at({-30, 40, 0}, 60),
+      light_at({0, 0, 90}, endless, {8, -7}, glm::normalize(glm::vec3(0.1f, 0, -1)))};
   const Created created = create(points, lights, plan_of({{0, 0}, {0, 1}, {0, 2}}, points.size()));
   uint32_t rays = 0;
   for (size_t slot = 0; slot < created.flags.size(); ++slot) {
@@ -109,7 +122,8 @@ TEST_CASE("a directional light's rays start on its plane and run along it") {
     if (!created.flags[i]) continue;
     CHECK(glm::vec3(created.rays[i].direction) == axis);
     CHECK(glm::dot(glm::vec3(created.rays[i].origin), axis) == doctest::Approx(-20));
-    CHECK(near(glm::dvec3(created.rays[i].origin) + glm::dvec3(axis) * double(created.rays[i].origin.w), moved(points[i], step(created, points[i], sun.position)), 1e-5));
+    CHECK(near(glm::dvec3(created.rays[i].origin) + glm::dvec3(axis) * double(created.rays[i].origin.w),
+               moved(points[i], step(created, points[i], sun.position)), 1e-5));
   }
 }
 
@@ -117,7 +131,8 @@ double dielectric(double cosine, double eta) {
   const double squared = 1 - eta * eta * (1 - cosine * cosine);
   if (squared <= 0) return 1;
   const double beyond = std::sqrt(squared);
-  const double across = (eta * cosine - beyond) / (eta * cosine + beyond), along = (cosine - eta * beyond) / (cosine + eta * beyond);
+  const double across = (eta * cosine - beyond) / (eta * cosine + beyond),
+               along = (cosine - eta * beyond) / (cosine + eta * beyond);
   return (across * across + along * along) / 2;
 }
 
@@ -139,7 +154,8 @@ void check_weight(const Point& p, const glm::vec4& weight, uint32_t flag, glm::d
   else CHECK(glm::vec3(weight) == glm::vec3(0));
 }
 
-TEST_CASE("reflection rays are mirrored about the shading normal, weighed by Fresnel, and stay outside" * doctest::test_suite("subset")) {
+TEST_CASE("reflection rays are mirrored about the shading normal, weighed by Fresnel, and stay outside" *
+          doctest::test_suite("subset")) {
   test::Random random(13);
   const std::vector<Point> points = test::random_points(random, 3000);
   const Created created = create(points, {}, plan_of({{shared::kind_reflection, 0}}, points.size()));
@@ -169,13 +185,15 @@ TEST_CASE("refraction rays go straight through thin walls, bend by Snell's law, 
     const Point& p = points[i];
     const double cosine = -glm::dot(glm::dvec3(p.normal), glm::dvec3(p.incoming));
     const double left = 1 - double(p.eta) * p.eta * (1 - cosine * cosine);
-    check_weight(p, created.refraction[i], created.flags[i], (1.0 - fresnel(p)) * glm::dvec3(p.diffuse) * double(p.transmission));
+    check_weight(p, created.refraction[i], created.flags[i],
+                 (1.0 - fresnel(p)) * glm::dvec3(p.diffuse) * double(p.transmission));
     if (left < 0) CHECK(created.flags[i] == 0);
     total += left < 0;
     if (!created.flags[i]) continue;
     bent += p.eta != 1.0f;
     glm::dvec3 direction(p.incoming);
-    if (p.eta != 1.0f) direction = glm::normalize(direction * double(p.eta) + glm::dvec3(p.normal) * (p.eta * cosine - std::sqrt(left)));
+    if (p.eta != 1.0f)
+      direction = glm::normalize(direction * double(p.eta) + glm::dvec3(p.normal) * (p.eta * cosine - std::sqrt(left)));
     const double height = glm::dot(direction, glm::dvec3(p.geometric));
     if (height > 0) direction -= glm::dvec3(p.geometric) * (2 * height);
     CHECK(near(glm::dvec3(created.rays[i].direction), direction, 2e-5));

@@ -29,9 +29,11 @@ std::vector<uint32_t> pixels_in_order(raster::ImageSize size, RayOrder order, ui
   const raster::CameraView view;
   raster::rasterise(recorder, {gpu, view, size}, gbuffer);
   test::HandMade made;
-  shading::surfaces_from_raster(recorder, {gbuffer, gpu, view, size, order, first, count}, made.surfaces, made.generation);
+  shading::surfaces_from_raster(recorder, {gbuffer, gpu, view, size, order, first, count}, made.surfaces,
+                                made.generation);
   std::vector<uint32_t> pixels;
-  for (const glm::vec4& d : recorder.read<glm::vec4>(made.surfaces.diffuse, count)) pixels.push_back(std::bit_cast<uint32_t>(d.w));
+  for (const glm::vec4& d : recorder.read<glm::vec4>(made.surfaces.diffuse, count))
+    pixels.push_back(std::bit_cast<uint32_t>(d.w));
   return pixels;
 }
 
@@ -44,7 +46,8 @@ std::vector<uint32_t> tiled(raster::ImageSize size) {
   return pixels;
 }
 
-TEST_CASE("tiles of 8x8 take every pixel once, also where the size is no multiple of 8" * doctest::test_suite("subset")) {
+TEST_CASE("tiles of 8x8 take every pixel once, also where the size is no multiple of 8" *
+          doctest::test_suite("subset")) {
   for (const raster::ImageSize size : {raster::ImageSize{16, 8}, {13, 9}, {5, 3}, {1, 17}, {24, 23}})
     CHECK(pixels_in_order(size, RayOrder::tiles, 0, size.width * size.height) == tiled(size));
 }
@@ -54,12 +57,14 @@ TEST_CASE("scanlines are in image order, and a portion is a part of the whole") 
   std::iota(all.begin(), all.end(), 0u);
   CHECK(pixels_in_order({13, 9}, RayOrder::scanline, 0, 117) == all);
   const std::vector<uint32_t> whole = tiled({13, 9});
-  CHECK(pixels_in_order({13, 9}, RayOrder::tiles, 40, 50) == std::vector<uint32_t>(whole.begin() + 40, whole.begin() + 90));
+  CHECK(pixels_in_order({13, 9}, RayOrder::tiles, 40, 50) ==
+        std::vector<uint32_t>(whole.begin() + 40, whole.begin() + 90));
 }
 
 /// glTF's BRDF times cosine, specification appendix B, in double.
 glm::dvec3 brdf(const Point& p, glm::dvec3 light) {
-  const glm::dvec3 n = glm::normalize(glm::dvec3(p.normal)), v = -glm::normalize(glm::dvec3(p.incoming)), h = glm::normalize(v + light);
+  const glm::dvec3 n = glm::normalize(glm::dvec3(p.normal)), v = -glm::normalize(glm::dvec3(p.incoming)),
+                   h = glm::normalize(v + light);
   const double nl = glm::dot(n, light), nv = std::max(glm::dot(n, v), 1e-4), nh = glm::dot(n, h);
   if (nl <= 0) return glm::dvec3(0);
   const double rough = std::max(double(p.roughness), 0.045), a2 = std::pow(rough, 4);
@@ -70,7 +75,8 @@ glm::dvec3 brdf(const Point& p, glm::dvec3 light) {
 }
 
 /// Two lights; every third surface has no ray to the second; hits tint, pass or block.
-TEST_CASE("direct light is glTF's BRDF times inverse square times what the ray lets through" * doctest::test_suite("subset")) {
+TEST_CASE("direct light is glTF's BRDF times inverse square times what the ray lets through" *
+          doctest::test_suite("subset")) {
   test::Random random(21);
   std::vector<Point> points = test::random_points(random, 1000);
   for (Point& p : points) p.position = random.point(2), p.triangle = 1;
@@ -81,7 +87,9 @@ TEST_CASE("direct light is glTF's BRDF times inverse square times what the ray l
   std::vector<uint32_t> ends;
   std::vector<shared::Hit> hits;
   for (uint32_t slot = 0; slot < 2000; ++slot) {
-    if (slot < 1000 || slot % 3) hits.push_back({slot % 5 == 0 ? glm::uvec4(0xFFFFFFFFu) : glm::uvec4(0, 65536, slot % 2 ? 0xFFFFFFFFu : 98304, 0)});
+    if (slot < 1000 || slot % 3)
+      hits.push_back(
+          {slot % 5 == 0 ? glm::uvec4(0xFFFFFFFFu) : glm::uvec4(0, 65536, slot % 2 ? 0xFFFFFFFFu : 98304, 0)});
     ends.push_back(uint32_t(hits.size()));
   }
   gpu::Recorder recorder(test::device());
@@ -89,7 +97,8 @@ TEST_CASE("direct light is glTF's BRDF times inverse square times what the ray l
   test::SmallScene small;
   small.material(test::matt(glm::vec3(1)));
   const scene::GpuScene gpu = small.on(recorder, {lights, {}});
-  const gpu::Buffer gpu_ends = gpu::upload(test::device(), ends, "ends"), gpu_hits = gpu::upload(test::device(), hits, "hits");
+  const gpu::Buffer gpu_ends = gpu::upload(test::device(), ends, "ends"),
+                    gpu_hits = gpu::upload(test::device(), hits, "hits");
   shading::add_direct(recorder, {made.surfaces, gpu, {{{0, 0}, {0, 1}}, 0, 1000}, gpu_ends, gpu_hits}, made.generation);
   const auto direct = recorder.read<glm::vec4>(made.generation.direct, 1000);
   for (uint32_t i = 0; i < 1000; ++i) {
@@ -109,11 +118,12 @@ TEST_CASE("direct light is glTF's BRDF times inverse square times what the ray l
 
 TEST_CASE("nothing degenerate makes light infinite or undefined") {
   std::vector<Point> points(4);
-  points[0].position = {0, 0, 0};                           // at the light
-  points[1].normal = points[1].geometric = {0, 0, 0};       // no normal
-  points[2].incoming = {1, 0, 0};                           // grazing
-  points[3].roughness = 0, points[3].position = {0, 0, -1}; // mirror right below the light
-  const std::vector<shared::Light> lights = {{glm::vec4(0, 0, 0, 0), glm::vec4(0, 0, -1, INFINITY), glm::vec4(1e6f), glm::vec4(0, 1, 0, 0)}};
+  points[0].position = {0, 0, 0};                            // at the light
+  points[1].normal = points[1].geometric = {0, 0, 0};        // no normal
+  points[2].incoming = {1, 0, 0};                            // grazing
+  points[3].roughness = 0, points[3].position = {0, 0, -1};  // mirror right below the light
+  const std::vector<shared::Light> lights = {
+      {glm::vec4(0, 0, 0, 0), glm::vec4(0, 0, -1, INFINITY), glm::vec4(1e6f), glm::vec4(0, 1, 0, 0)}};
   gpu::Recorder recorder(test::device());
   test::HandMade made = test::upload_points(points);
   test::SmallScene small;
@@ -143,13 +153,15 @@ TEST_CASE("gathering follows slots to rays to children, by kind, and takes the b
   children.first_slot = {shared::none, 3, 6};
   children.first_ray = 5;
   children.first_child = 1;
-  const gpu::Buffer totals = gpu::upload(device, std::vector<glm::vec4>{glm::vec4(100), glm::vec4(2), glm::vec4(4), glm::vec4(8)}, "totals");
+  const gpu::Buffer totals =
+      gpu::upload(device, std::vector<glm::vec4>{glm::vec4(100), glm::vec4(2), glm::vec4(4), glm::vec4(8)}, "totals");
   children.totals = &totals;
   made.generation.children.push_back(std::move(children));
   shading::Gathered gathered;
   shading::gather(recorder, made.generation, {0.125f, 0, 0}, gathered, shading::Parts::wanted);
-  const auto total = recorder.read<glm::vec4>(gathered.total, 3), reflected = recorder.read<glm::vec4>(gathered.reflection, 3);
-  CHECK(total[0] == glm::vec4(2.5f, 1.5f, 1.5f, 1));    // 1 emitted (red), 0.5 direct, half of child 1
+  const auto total = recorder.read<glm::vec4>(gathered.total, 3),
+             reflected = recorder.read<glm::vec4>(gathered.reflection, 3);
+  CHECK(total[0] == glm::vec4(2.5f, 1.5f, 1.5f, 1));     // 1 emitted (red), 0.5 direct, half of child 1
   CHECK(total[1] == glm::vec4(4.25f, 4.25f, 4.25f, 1));  // 0.25 direct, half of child 2, a quarter of child 3
   CHECK(total[2] == glm::vec4(0.125f, 0, 0, 0));
   CHECK(glm::vec3(reflected[1]) == glm::vec3(2));
@@ -162,10 +174,12 @@ TEST_CASE("kinds in batches of their own gather the same") {
   test::HandMade made = test::upload_points(std::vector<Point>(2));
   made.generation.reflection_weight = gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(1)), "weights");
   made.generation.refraction_weight = gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(1)), "weights");
-  const gpu::Buffer totals = gpu::upload(device, std::vector<glm::vec4>{glm::vec4(2), glm::vec4(3), glm::vec4(5)}, "totals");
+  const gpu::Buffer totals =
+      gpu::upload(device, std::vector<glm::vec4>{glm::vec4(2), glm::vec4(3), glm::vec4(5)}, "totals");
   for (const uint32_t kind : {shared::kind_reflection, shared::kind_refraction}) {
     shading::Children children;
-    children.ends = gpu::upload(device, kind == shared::kind_reflection ? std::vector<uint32_t>{1, 2} : std::vector<uint32_t>{0, 1}, "ends");
+    children.ends = gpu::upload(
+        device, kind == shared::kind_reflection ? std::vector<uint32_t>{1, 2} : std::vector<uint32_t>{0, 1}, "ends");
     children.surfaces = 2;
     children.first_slot[kind] = 0;
     children.first_child = kind == shared::kind_reflection ? 0 : 2;
@@ -197,9 +211,12 @@ TEST_CASE("the film averages samples, keeps the first one's geometry, and knows 
       else points[0].triangle = 0;
       const test::HandMade made = test::upload_points(points);
       shading::Gathered gathered;
-      gathered.total = gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(2, 4, 6, sample ? 0 : 1), glm::vec4(1, 1, 1, 0)}, "totals");
-      gathered.reflection = gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(1), glm::vec4(0)}, "reflected");
-      gathered.refraction = gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(0), glm::vec4(0)}, "refracted");
+      gathered.total = gpu::upload(
+          test::device(), std::vector<glm::vec4>{glm::vec4(2, 4, 6, sample ? 0 : 1), glm::vec4(1, 1, 1, 0)}, "totals");
+      gathered.reflection =
+          gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(1), glm::vec4(0)}, "reflected");
+      gathered.refraction =
+          gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(0), glm::vec4(0)}, "refracted");
       shading::begin_sample(film);
       shading::add_sample(recorder, {made.surfaces, made.generation, gathered, gpu, raster::CameraView{}}, film);
       recorder.submit();
@@ -213,7 +230,8 @@ TEST_CASE("the film averages samples, keeps the first one's geometry, and knows 
     CHECK(picture.find("Object")->ids == std::vector<uint32_t>{0, 1});
     CHECK(picture.find("Material")->ids == std::vector<uint32_t>{0, 1});
     CHECK(picture.find("Reflection")->values == std::vector<float>{0, 0, 0, 1, 1, 1});
-    CHECK(picture.find("Background")->values == (opaque ? std::vector<float>{1, 1, 1, 0.5f, 0.5f, 0.5f} : std::vector<float>(6, 0.0f)));
+    CHECK(picture.find("Background")->values ==
+          (opaque ? std::vector<float>{1, 1, 1, 0.5f, 0.5f, 0.5f} : std::vector<float>(6, 0.0f)));
     CHECK(picture.find("F0")->values[3] == doctest::Approx(0.02));
     CHECK(picture.find("P")->values == std::vector<float>{0, 0, 0, 0, 0, -3});
   }

@@ -112,6 +112,7 @@ TEST_CASE("the stability check turns red when the sort is made unstable") {
   Pairs faulty = sorted_on_gpu(pairs, 10, {.shape = {}, .unstable = true});
   CHECK_FALSE(stable(faulty));
   CHECK_FALSE(values_sorted_on_gpu(pairs, 10, {.shape = {}, .unstable = true}) == values_of(twin(pairs)));
-  std::sort(faulty.begin(), faulty.end(), [](glm::uvec2 a, glm::uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::sort(faulty.begin(), faulty.end(),
+            [](glm::uvec2 a, glm::uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   CHECK(faulty == twin(pairs));  // a permutation it is all the same
 }

@@ -39,8 +39,12 @@ inline HandMade upload_points(const std::vector<Point>& points) {
   }
   HandMade made;
   gpu::Device& d = device();
-  made.surfaces = {gpu::upload(d, position, "position"), gpu::upload(d, normal, "normal"), gpu::upload(d, geometric, "geometric"),
-                   gpu::upload(d, incoming, "incoming"), gpu::upload(d, diffuse, "diffuse"), gpu::upload(d, specular, "specular"),
+  made.surfaces = {gpu::upload(d, position, "position"),
+                   gpu::upload(d, normal, "normal"),
+                   gpu::upload(d, geometric, "geometric"),
+                   gpu::upload(d, incoming, "incoming"),
+                   gpu::upload(d, diffuse, "diffuse"),
+                   gpu::upload(d, specular, "specular"),
                    uint32_t(points.size())};
   made.generation.emission = gpu::upload(d, emission, "emission");
   made.generation.direct = gpu::upload(d, std::vector<glm::vec4>(points.size(), glm::vec4(0)), "direct");

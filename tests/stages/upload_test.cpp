@@ -19,7 +19,8 @@ using test::SmallScene;
 
 glm::mat4 random_affine(test::Random& random, bool mirrored) {
   glm::mat4 m = glm::rotate(glm::mat4(1), random.uniform(-3, 3), random.unit());
-  m = glm::scale(m, {random.uniform(0.2f, 5), random.uniform(0.2f, 5), random.uniform(0.2f, 5) * (mirrored ? -1.0f : 1.0f)});
+  m = glm::scale(
+      m, {random.uniform(0.2f, 5), random.uniform(0.2f, 5), random.uniform(0.2f, 5) * (mirrored ? -1.0f : 1.0f)});
   m[3] = glm::vec4(random.point(50), 1);
   return m;
 }
@@ -30,7 +31,8 @@ SmallScene scattered(test::Random& random) {
   const uint32_t material = small.material(test::matt(glm::vec3(0.5f)));
   for (uint32_t i = 0; i < 3; ++i) {
     std::vector<glm::vec3> corners;
-    for (const test::Triangle& t : test::closed_mesh(1, random.point(1), 1)) corners.insert(corners.end(), {t.a, t.b, t.c});
+    for (const test::Triangle& t : test::closed_mesh(1, random.point(1), 1))
+      corners.insert(corners.end(), {t.a, t.b, t.c});
     corners.resize(120);
     small.mesh(corners, material);
   }
@@ -41,7 +43,8 @@ SmallScene scattered(test::Random& random) {
 
 glm::dvec3 moved(const glm::mat4& m, glm::vec3 p) { return glm::dvec3(glm::dmat4(m) * glm::dvec4(p, 1)); }
 
-TEST_CASE("drawn triangles are the instances' triangles, and mirrored ones keep their front" * doctest::test_suite("subset")) {
+TEST_CASE("drawn triangles are the instances' triangles, and mirrored ones keep their front" *
+          doctest::test_suite("subset")) {
   test::Random random(1);
   const SmallScene small = scattered(random);
   gpu::Recorder recorder(test::device());

@@ -49,8 +49,7 @@ class Inspection {
       const uint32_t ref = tree_.ref(slot), count = tree_.count(slot);
       const TreeBox box = tree_.box(slot);
       if (count && !own.holds(box)) fail("node {} sticks out of its parent's box", node);
-      if (ref & child_is_leaf)
-        inspect_leaf(slot, first + sum);
+      if (ref & child_is_leaf) inspect_leaf(slot, first + sum);
       else if (inspect(ref, box, first + sum, depth + 1) != count && fault_.empty())
         fail("slot {} does not hold {} triangles", slot, count);
       sum += count;

@@ -49,8 +49,8 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
   }
   int status = 0;
   ::waitpid(child, &status, 0);
-  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
-          stdout_path.empty() ? content(out) : "", content(err)};
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), stdout_path.empty() ? content(out) : "",
+          content(err)};
 }
 
 std::string crsh_path() {

@@ -56,7 +56,9 @@ TEST_CASE("a file's camera looks along -z of its node, and keeps its height when
   camera.near_plane = 0.5f;
   scene.cameras = {camera};
   scene::Pose pose;
-  pose.cameras = {glm::scale(glm::rotate(glm::translate(glm::mat4(1), glm::vec3(1, 2, 3)), float(M_PI) / 2, glm::vec3(0, 1, 0)), glm::vec3(3))};
+  pose.cameras = {
+      glm::scale(glm::rotate(glm::translate(glm::mat4(1), glm::vec3(1, 2, 3)), float(M_PI) / 2, glm::vec3(0, 1, 0)),
+                 glm::vec3(3))};
   const CameraView view = camera_view(scene, pose, {}, box, {300, 100});
   CHECK(near(view.eye, {1, 2, 3}));
   CHECK(near(view.forward, {-1, 0, 0}));

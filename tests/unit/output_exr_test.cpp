@@ -1,7 +1,7 @@
 // OpenEXR files: what is written comes back, always the same bytes, nothing of this machine in them.
 
-#include <ImfInputFile.h>
 #include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfThreading.h>
 #include <doctest/doctest.h>

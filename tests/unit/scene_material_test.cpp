@@ -27,7 +27,8 @@ GltfText with_material(const std::string& material, const std::string& more = ""
 }
 
 const std::string textures =
-    R"(,"textures":[{"source":0},{"source":0,"sampler":0}],"samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728,"minFilter":9987}],)";
+    R"(,"textures":[{"source":0},{"source":0,"sampler":0}],"samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728,
+"minFilter":9987}],)";
 
 std::vector<std::string> notes_of(const std::string& material, const std::string& more = "") {
   return with_material(material, more).load().unsupported;
@@ -105,11 +106,11 @@ TEST_CASE("what is asked for and not done is said once, in a clause") {
         Notes{"normal maps", "occlusion maps"});
   CHECK(notes_of(R"({"alphaMode":"MASK"})") == Notes{"alphaMode MASK (drawn opaque)"});
   CHECK(notes_of(R"({"alphaMode":"OPAQUE"})").empty());
-  CHECK(
-      notes_of(
-          R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":1,"attenuationDistance":2,"attenuationColor":[1,0,0],
+  CHECK(notes_of(
+            R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":1,"attenuationDistance":2,
+"attenuationColor":[1,0,0],
     "thicknessTexture":{"index":0}}}})",
-          image) == Notes{"thickness textures", "attenuation in volumes"});
+            image) == Notes{"thickness textures", "attenuation in volumes"});
   CHECK(
       notes_of("{}", R"(,"extensionsUsed":["KHR_materials_unlit","KHR_materials_unlit","KHR_materials_ior","A\nB"])") ==
       Notes{"extension KHR_materials_unlit", "extension A B"});
@@ -118,7 +119,8 @@ TEST_CASE("what is asked for and not done is said once, in a clause") {
 TEST_CASE("an extension that is required and not done ends with its name") {
   GltfText file = one_triangle();
   file.more = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";
-  CHECK_THROWS_WITH_AS((void)file.load(), doctest::Contains("needs the extension KHR_draco_mesh_compression"), UserError);
+  CHECK_THROWS_WITH_AS((void)file.load(), doctest::Contains("needs the extension KHR_draco_mesh_compression"),
+                       UserError);
   file.more = R"(,"extensionsRequired":["KHR_lights_punctual","KHR_mesh_quantization"])";
   CHECK(file.load().triangle_count() == 1);
 }

@@ -73,7 +73,8 @@ TEST_CASE("cameras come in the file's order, with their nodes") {
   GltfText file =
       with_nodes(R"({"children":[1,2]},{"camera":1,"name":"a"},{"camera":0,"name":"b","translation":[0,0,4]})");
   file.more = R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.1,"aspectRatio":2}},
-                             {"name":"flat","type":"orthographic","orthographic":{"xmag":4,"ymag":2,"zfar":9,"znear":0}}])";
+                             {"name":"flat","type":"orthographic","orthographic":{"xmag":4,"ymag":2,"zfar":9,
+"znear":0}}])";
   const scene::Scene scene = file.load();
   REQUIRE(scene.cameras.size() == 2);
   CHECK(scene.cameras[0].name == "b");

@@ -15,7 +15,8 @@ inline const std::string moving = CRSH_SOURCE_DIR "/scenes/moving.glb";
 /// Quick: one bounce, one sample.
 inline const std::vector<std::string> quick = {"--bounces", "1", "--samples", "1", "--quiet"};
 
-/// crsh-view of this build: `scene` with `options`, doing the lines of `script`. With validation where the tests have it.
+/// crsh-view of this build: `scene` with `options`, doing the lines of `script`. With validation where the tests have
+/// it.
 [[nodiscard]] Outcome view(const std::string& scene, const std::string& script,
                            std::vector<std::string> options = quick);
 

@@ -85,11 +85,12 @@ TEST_CASE("F5 loads the scene again and keeps the view") {
 
 TEST_CASE("--watch loads the scene again when its file changes") {
   // A script's words have no spaces; the project's path may have some.
-  const std::string stem = "/tmp/crsh-watched-" + std::to_string(::getpid()), path = stem + ".glb", other = stem + "-2.glb";
+  const std::string stem = "/tmp/crsh-watched-" + std::to_string(::getpid()), path = stem + ".glb",
+                    other = stem + "-2.glb";
   output::write_whole(path, output::read_whole(cornell));
   output::write_whole(other, output::read_whole(test::moving));
-  const std::string script = "resize 600 200\nwait\nprint-command\ncopy " + other + " " + path +
-                             "\nexpect picture\nwait\nprint-command\n";
+  const std::string script =
+      "resize 600 200\nwait\nprint-command\ncopy " + other + " " + path + "\nexpect picture\nwait\nprint-command\n";
   const test::Outcome outcome = view(path, script, {"--bounces", "0", "--samples", "1", "--quiet", "--watch"});
   std::remove(path.c_str());
   std::remove(other.c_str());

@@ -23,7 +23,8 @@ Middle middle_of(Slab node) {
   precise vec3 origin = 0.5 * (node.origin_low.xyz + node.origin_high.xyz);
   precise vec3 origin_reach = max(node.origin_high.xyz - origin, origin - node.origin_low.xyz) * bound_slack;
   precise vec3 direction = 0.5 * (node.direction_low.xyz + node.direction_high.xyz);
-  precise vec3 direction_reach = max(node.direction_high.xyz - direction, direction - node.direction_low.xyz) * bound_slack;
+  precise vec3 direction_reach =
+      max(node.direction_high.xyz - direction, direction - node.direction_low.xyz) * bound_slack;
   return Middle(origin, origin_reach, direction, direction_reach);
 }
 
@@ -34,7 +35,8 @@ vec2 side_of_edge(Middle node, vec3 p, vec3 q) {
   vec3 across = cross(p, q);
   float middle = dot(node.direction, across);
   vec3 edge = p - q;
-  vec3 turning = abs(cross(edge, node.direction)) + abs(edge.yzx) * node.direction_reach.zxy + abs(edge.zxy) * node.direction_reach.yzx;
+  vec3 turning = abs(cross(edge, node.direction)) + abs(edge.yzx) * node.direction_reach.zxy +
+                 abs(edge.zxy) * node.direction_reach.yzx;
   float reach = dot(node.direction_reach, abs(across)) + dot(node.origin_reach, turning);
   float from_any = size_of(node.origin_reach);
   float slack = edge_slack * (size_of(p) + from_any) * (size_of(q) + from_any) + bound_pad * reach;

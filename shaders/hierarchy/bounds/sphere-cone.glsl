@@ -54,8 +54,7 @@ float padded_radius(float measured, vec3 centre) {
 }
 
 Node bound_of_ray(Ray ray) {
-  return Node(vec4(ray.origin.xyz, padded_radius(0.0, ray.origin.xyz)),
-              vec4(ray.direction.xyz, tangent_of_chord(0.0)));
+  return Node(vec4(ray.origin.xyz, padded_radius(0.0, ray.origin.xyz)), vec4(ray.direction.xyz, tangent_of_chord(0.0)));
 }
 
 /// Equations 7 and 8 as printed.
@@ -75,11 +74,11 @@ vec4 merged_cone_and_direction(vec4 cone, vec3 r) {
   if (to_ray <= cone.w) return cone;
   precise float cosine = 1.0 / sqrt(1.0 + cone.w * cone.w);
   precise float sine = cone.w * cosine;
-  precise vec3 across = x * exact_dot(x, r) - r;             // equation 1
+  precise vec3 across = x * exact_dot(x, r) - r;  // equation 1
   vec3 q = exact_normalize(across);
-  precise vec3 e = x * cosine + q * sine;                    // equation 2
+  precise vec3 e = x * cosine + q * sine;  // equation 2
   precise vec3 sum = e + r;
-  vec3 axis = exact_normalize(sum);                          // equation 3
+  vec3 axis = exact_normalize(sum);  // equation 3
   // Equation 4 gives the angle to r; near-parallel directions leave q to chance, so the old cone is asked as well.
   float to_new = tangent_of_chord(chord(axis, r));
   float to_old = tangent_of_sum(tangent_of_chord(chord(axis, x)), cone.w);
@@ -102,9 +101,7 @@ Node bound_merge_ray(Node node, Ray ray) {
               merged_cone_and_direction(node.cone, ray.direction.xyz));
 }
 
-Node bound_merge(Node a, Node b) {
-  return Node(merged_spheres(a.sphere, b.sphere), merged_cones(a.cone, b.cone));
-}
+Node bound_merge(Node a, Node b) { return Node(merged_spheres(a.sphere, b.sphere), merged_cones(a.cone, b.cone)); }
 
 #ifdef CRSH_SORTED_RAYS
 /// Fitted to rays first .. last-1: the middle of the origins' box and of the directions' box, then what reaches

@@ -1,4 +1,5 @@
-// The direction on the octahedral map, 6 + 5 bits interleaved, then the origin's place in the scene, 3 × 5 bits interleaved.
+// The direction on the octahedral map, 6 + 5 bits interleaved, then the origin's place in the scene, 3 × 5 bits
+// interleaved.
 #include "lib/cell.glsl"
 #include "lib/morton.glsl"
 #include "lib/octahedral.glsl"

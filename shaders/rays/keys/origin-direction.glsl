@@ -1,4 +1,5 @@
-// The origin's place in the scene, 3 × 5 bits interleaved, then the direction on the octahedral map, 6 + 5 bits interleaved.
+// The origin's place in the scene, 3 × 5 bits interleaved, then the direction on the octahedral map, 6 + 5 bits
+// interleaved.
 #include "lib/cell.glsl"
 #include "lib/morton.glsl"
 #include "lib/octahedral.glsl"
