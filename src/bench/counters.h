@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "frame/statistics.h"
+#include "crsh/statistics.h"
 
 namespace crsh::bench {
 

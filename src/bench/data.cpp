@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "bench/counters.h"
+#include "crsh/version.h"
 #include "output/stats_json.h"
-#include "version.h"
 
 namespace crsh::bench {
 namespace {
@@ -74,15 +74,15 @@ std::string counter_fields(const Counters& counters) {
 }
 
 std::string time_fields(const Result& result) {
-  if (result.counters.frames.empty()) return fmt::format(",{}", std::string(gpu::stage_count, ','));
+  if (result.counters.frames.empty()) return fmt::format(",{}", std::string(stage_count, ','));
   std::string text = fmt::format(",{:.4f}", frame_median(result));
-  for (size_t stage = 0; stage < gpu::stage_count; ++stage)
-    text += fmt::format(",{:.4f}", stage_median(result, static_cast<gpu::Stage>(stage)));
+  for (size_t stage = 0; stage < stage_count; ++stage)
+    text += fmt::format(",{:.4f}", stage_median(result, static_cast<Stage>(stage)));
   return text;
 }
 
 std::string rows_of(const SceneResults& scene, const Result& result) {
-  const std::string start = row_start(scene, result), no_times(gpu::stage_count + 1, ',');
+  const std::string start = row_start(scene, result), no_times(stage_count + 1, ',');
   Counters sums = counters_of(RayStatistics());
   std::string text;
   for (const RayStatistics& rays : result.counters.rays) {
@@ -98,7 +98,7 @@ std::string header() {
   std::string text = "scene,label,algorithm,triangles,kind,bounce";
   for (const auto& [name, value] : counters_of(RayStatistics())) text += "," + name;
   text += ",frame_ms";
-  for (const std::string_view stage : gpu::stage_names) {
+  for (const std::string_view stage : stage_names) {
     text += fmt::format(",{}_ms", stage);
     std::ranges::replace(text, ' ', '_');
   }

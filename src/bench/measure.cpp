@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "bench/counters.h"
-#include "error.h"
+#include "crsh/error.h"
 #include "frame/renderer.h"
 #include "output/exposure.h"
 #include "output/heat_map.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "frame/options.h"
-#include "frame/statistics.h"
+#include "crsh/options.h"
+#include "crsh/statistics.h"
 #include "gpu/device.h"
 #include "scene/scene.h"
 

@@ -95,7 +95,6 @@ void add_kind(Table& table, const KindLevels& sums, std::string_view kind, uint3
   for (auto* row : {&tests, &misses, &hits}) table.rows.push_back(std::move(*row));
 }
 
-using gpu::Stage;
 constexpr std::array paper_stages = {Stage::ray_creation, Stage::ray_compression, Stage::ray_sorting,
                                      Stage::ray_decompression, Stage::hierarchy_creation};
 constexpr std::array costly_stages = {Stage::hierarchy_traversal, Stage::final_intersection};
@@ -112,7 +111,7 @@ double median_of_sums(const Result& result, std::span<const Stage> stages) {
 
 /// The paper's name.
 std::string name_of(Stage stage) {
-  return upper(gpu::stage_names[static_cast<size_t>(stage)]) + (stage == Stage::final_intersection ? " TESTS" : "");
+  return upper(stage_names[static_cast<size_t>(stage)]) + (stage == Stage::final_intersection ? " TESTS" : "");
 }
 
 void add_times(Table& table, const std::vector<SceneResults>& scenes, size_t variant) {
@@ -196,7 +195,7 @@ Sums sums_of(const Result& result, const RayFilter& filter) {
   return sums;
 }
 
-double stage_median(const Result& result, gpu::Stage stage) {
+double stage_median(const Result& result, Stage stage) {
   std::vector<double> values;
   for (const FrameTime& frame : result.counters.frames) values.push_back(frame.stage_ms[static_cast<size_t>(stage)]);
   return median(std::move(values));

@@ -7,7 +7,7 @@
 
 #include "bench/measure.h"
 #include "bench/table.h"
-#include "rays/kinds.h"
+#include "crsh/kinds.h"
 
 namespace crsh::bench {
 
@@ -38,7 +38,7 @@ using RayFilter = std::vector<CountedRays>;
 [[nodiscard]] Table table_3(const std::vector<SceneResults>& scenes);
 
 /// Median milliseconds of a stage, or of the whole frame.
-[[nodiscard]] double stage_median(const Result& result, gpu::Stage stage);
+[[nodiscard]] double stage_median(const Result& result, Stage stage);
 [[nodiscard]] double frame_median(const Result& result);
 /// Of traversal and intersection together, and of everything from ray creation on up to there.
 [[nodiscard]] double tracing_median(const Result& result);

@@ -8,8 +8,8 @@
 
 #include "bench/heat_figures.h"
 #include "bench/svg.h"
+#include "crsh/version.h"
 #include "output/stats_json.h"
-#include "version.h"
 
 namespace crsh::bench {
 namespace {
@@ -133,14 +133,14 @@ std::string times_html(const SceneResults& scene) {
     if (result.counters.frames.empty() || result.variant.options.algorithm.tracing == Tracing::brute) continue;
     Stack stack{row_name(result), "", {}};
     double sum = 0;
-    for (size_t stage = 0; stage < gpu::stage_count; ++stage) {
-      stack.parts.push_back(stage_median(result, static_cast<gpu::Stage>(stage)));
+    for (size_t stage = 0; stage < stage_count; ++stage) {
+      stack.parts.push_back(stage_median(result, static_cast<Stage>(stage)));
       sum += stack.parts.back();
     }
     stack.label = ms_text(sum) + " ms";
     stacks.push_back(std::move(stack));
   }
-  const std::vector<std::string> names(gpu::stage_names.begin(), gpu::stage_names.end());
+  const std::vector<std::string> names(stage_names.begin(), stage_names.end());
   const std::string title = fmt::format("{}: time a stage", scene.name);
   return fmt::format("<h3>{}</h3>\n{}", escaped(title), stacks_svg(stacks, names, "ms", title));
 }

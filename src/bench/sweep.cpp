@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "bench/svg.h"
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::bench {
 namespace {
@@ -97,8 +97,8 @@ struct Figures {
 
 Figures figures_of(const Result& result) {
   return {tests_of(result), tracing_median(result), secondary_median(result),
-          result.first_frame.stage_ms[static_cast<size_t>(gpu::Stage::object_hierarchy)],
-          stage_median(result, gpu::Stage::raster)};
+          result.first_frame.stage_ms[static_cast<size_t>(Stage::object_hierarchy)],
+          stage_median(result, Stage::raster)};
 }
 
 /// A label's steps: sizes and figures.

@@ -14,10 +14,11 @@
 #include "bench/paper_tables.h"
 #include "bench/report.h"
 #include "cli/bench_options.h"
-#include "error.h"
+#include "crsh/error.h"
 #include "output/json_text.h"
 #include "output/progress.h"
 #include "output/whole_file.h"
+#include "scene/gltf/load.h"
 #include "scene/hide.h"
 #include "scene/scene.h"
 

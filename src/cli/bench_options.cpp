@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cli/rows.h"
-#include "error.h"
+#include "crsh/error.h"
 #include "output/whole_file.h"
 
 namespace crsh::cli {

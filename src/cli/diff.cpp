@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "cli/render_options.h"
 #include "cli/rows.h"
-#include "error.h"
+#include "crsh/error.h"
 #include "output/diff.h"
 #include "output/whole_file.h"
 

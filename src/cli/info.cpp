@@ -5,9 +5,10 @@
 #include "cli/command.h"
 #include "cli/info_text.h"
 #include "cli/rows.h"
-#include "error.h"
+#include "crsh/error.h"
 #include "output/json_text.h"
 #include "output/whole_file.h"
+#include "scene/gltf/load.h"
 
 namespace crsh::cli {
 namespace {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "error.h"
+#include "crsh/error.h"
+#include "crsh/leaks.h"
+#include "crsh/version.h"
 #include "gpu/device.h"
-#include "leaks.h"
 #include "output/whole_file.h"
-#include "version.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/values.h"
-#include "version.h"
+#include "crsh/version.h"
 
 namespace crsh::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cli/command.h"
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/render_checks.h"
 #include "cli/render_options.h"
 #include "cli/values.h"
-#include "error.h"
+#include "crsh/error.h"
 #include "frame/renderer.h"
 #include "output/exposure.h"
 #include "output/exr.h"
@@ -22,6 +22,7 @@
 #include "output/stats_json.h"
 #include "output/whole_file.h"
 #include "rays/hash.h"
+#include "scene/gltf/load.h"
 #include "scene/hide.h"
 #include "scene/scene.h"
 
@@ -153,10 +154,10 @@ void say_stage_times(const RenderCommand& command, const Statistics& statistics)
   };
   double total = 0;
   for (const FrameTime& frame : statistics.frames) total += frame.total_ms;
-  for (size_t stage = 0; stage < gpu::stage_count; ++stage) {
+  for (size_t stage = 0; stage < stage_count; ++stage) {
     double sum = 0;
     for (const FrameTime& frame : statistics.frames) sum += frame.stage_ms[stage];
-    row(gpu::stage_names[stage], sum);
+    row(stage_names[stage], sum);
   }
   row("frame, wall clock", total);
 }

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/whole_file.h"
 #include "rays/hash.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cli/rows.h"
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "gpu/device.h"
 #include "output/exr.h"
 #include "output/path_pattern.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::cli {
 namespace {

@@ -5,8 +5,6 @@
 namespace crsh::coherence {
 namespace {
 
-using gpu::Stage;
-
 void keep_creation_order(gpu::Recorder& recorder, uint32_t ray_count, const gpu::Buffer& order) {
   const uint32_t quads = (ray_count + 3) / 4;
   recorder.stage(Stage::ray_creation);

@@ -32,7 +32,7 @@ void place_segments(rays::Batch& batch, const std::vector<uint32_t>& ends) {
 void trim(gpu::Recorder& recorder, TrimScratch& scratch, const gpu::Buffer& sparse_rays, const gpu::Buffer& flags,
           rays::Batch& out) {
   const uint32_t slot_count = uint32_t(out.segments.size()) * out.surfaces;
-  recorder.stage(gpu::Stage::ray_creation);
+  recorder.stage(Stage::ray_creation);
   grow(recorder, out.ends, quad_bytes(slot_count), "rays.ends");
   if (slot_count > 0) {
     primitives::scan(recorder, scratch.scan, flags, out.ends, slot_count, primitives::ScanKind::inclusive);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rays/kinds.h"
+#include "crsh/kinds.h"
 #include "shared/counters.h"
 
 namespace crsh {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "coherence/coherence.h"
-#include "frame/statistics.h"
+#include "crsh/statistics.h"
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
 #include "hierarchy/hierarchy.h"

@@ -3,7 +3,7 @@
 #include <bit>
 #include <numeric>
 
-#include "frame/ray_table.h"
+#include "crsh/ray_table.h"
 #include "frame/trace.h"
 #include "rays/hash.h"
 

@@ -3,24 +3,24 @@
 #include <algorithm>
 
 #include "coherence/trim.h"
+#include "crsh/kinds.h"
 #include "frame/state.h"
 #include "frame/trace.h"
 #include "raster/jitter.h"
-#include "rays/kinds.h"
 #include "shading/direct.h"
 
 namespace crsh {
 namespace {
 
 /// Steps 3 to 6 for the rays of one plan: created, trimmed, traced. The hits are in state.batch.hits.
-const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, const shading::Surfaces& surfaces,
-                               shading::Generation& generation, uint32_t bounce) {
+const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, const surfaces::Surfaces& surfaces,
+                               surfaces::Generation& generation, uint32_t bounce) {
   rays::Batch& batch = s.batch.rays;
   batch.segments.clear();
   for (const rays::Wanted& wanted : plan.segments)
     batch.segments.push_back({.kind = wanted.kind, .light = wanted.light});
   batch.surfaces = plan.surfaces;
-  s.recorder.stage(gpu::Stage::ray_creation);
+  s.recorder.stage(Stage::ray_creation);
   rays::create(s.recorder, {surfaces, s.gpu_scene, plan, s.options.override_mirror}, s.batch.sparse, generation);
   coherence::trim(s.recorder, s.batch.trim, s.batch.sparse.rays, s.batch.sparse.flags, batch);
   if (batch.count) trace(s, bounce, {surfaces.diffuse, surfaces.specular, plan.first_surface});
@@ -28,8 +28,8 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
 }
 
 /// Where the closest-hit rays of a batch become surfaces of the next generation.
-shading::Children children_of(rays::Batch& batch, const rays::BatchPlan& plan, uint32_t first_child) {
-  shading::Children children;
+surfaces::Children children_of(rays::Batch& batch, const rays::BatchPlan& plan, uint32_t first_child) {
+  surfaces::Children children;
   children.first_surface = plan.first_surface;
   children.surfaces = plan.surfaces;
   children.first_child = first_child;
@@ -56,7 +56,7 @@ uint32_t most_children(Renderer::State& s, const std::vector<rays::BatchPlan>& p
 }
 
 /// Their buffers go: what is recorded may still use them.
-void drop_children(Renderer::State& s, shading::Generation& generation) {
+void drop_children(Renderer::State& s, surfaces::Generation& generation) {
   if (generation.children.empty()) return;
   s.recorder.submit();
   generation.children.clear();
@@ -64,9 +64,9 @@ void drop_children(Renderer::State& s, shading::Generation& generation) {
 
 /// Steps 3 to 7 of one bounce: traces all rays of generation k, shades, and yields generation k + 1.
 void trace_bounce(Renderer::State& s, uint32_t bounce) {
-  shading::Surfaces& surfaces = s.paths.surfaces(bounce);
-  shading::Surfaces& next = s.paths.surfaces(bounce + 1);
-  shading::Generation& generation = s.paths.generations[bounce];
+  surfaces::Surfaces& surfaces = s.paths.surfaces(bounce);
+  surfaces::Surfaces& next = s.paths.surfaces(bounce + 1);
+  surfaces::Generation& generation = s.paths.generations[bounce];
   const std::vector<rays::BatchPlan> plans = rays::plan_batches({.surfaces = surfaces.count,
                                                                  .lights = s.gpu_scene.light_count,
                                                                  .kinds = rays::kinds_at(s.options, bounce),
@@ -77,30 +77,29 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
   next.count = 0;
   for (const rays::BatchPlan& plan : plans) {
     const rays::Batch& batch = trace_batch(s, plan, surfaces, generation, bounce);
-    s.recorder.stage(gpu::Stage::shading);
+    s.recorder.stage(Stage::shading);
     const shading::DirectIn direct{surfaces, s.gpu_scene, plan, batch.ends, s.batch.hits};
     if (batch.count) shading::add_direct(s.recorder, direct, generation);
     if (batch.count && bounce == 0 && s.film.layers.has(LayerId::shadow))
       shading::add_visibility(s.recorder, direct, s.film.sum(LayerId::shadow));
     if (!casts_closest(plan)) continue;
-    shading::Children children = children_of(s.batch.rays, plan, next.count);
+    surfaces::Children children = children_of(s.batch.rays, plan, next.count);
     const uint32_t count = batch.count - std::min(batch.count, children.first_ray);
     if (next.count == 0)
-      shading::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
-    shading::surfaces_from_hits(s.recorder,
-                                {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, count, surfaces}, next,
-                                s.paths.generations[bounce + 1]);
+      surfaces::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
+    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, count, surfaces},
+                        next, s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }
 }
 
 /// Step 7: radiance back along the paths, last generation first.
 void gather_generations(Renderer::State& s, uint32_t generations) {
-  s.recorder.stage(gpu::Stage::shading);
+  s.recorder.stage(Stage::shading);
   for (uint32_t k = generations; k-- > 0;) {
-    shading::Generation& generation = s.paths.generations[k];
+    surfaces::Generation& generation = s.paths.generations[k];
     if (k + 1 == generations) drop_children(s, generation);
-    for (shading::Children& children : generation.children) children.totals = &s.paths.gathered[k + 1].total;
+    for (surfaces::Children& children : generation.children) children.totals = &s.paths.gathered[k + 1].total;
     const bool parts = k == 0 && s.film.layers.has_any({LayerId::reflection, LayerId::refraction});
     shading::gather(s.recorder, generation, s.options.background.value_or(glm::vec3(0)), s.paths.gathered[k],
                     parts ? shading::Parts::wanted : shading::Parts::unwanted);
@@ -125,16 +124,16 @@ void render_sample(Renderer::State& s, const raster::CameraView& view, const Ren
   const uint32_t pixels = s.size.width * s.size.height;
   const double share = double(std::min(s.portion, pixels)) / (double(pixels) * s.options.samples);
   double done = double(begun) / s.options.samples;
-  s.recorder.stage(gpu::Stage::raster);
+  s.recorder.stage(Stage::raster);
   const glm::vec2 jitter = raster::jitter(s.film.samples, s.options.seed);
   raster::rasterise(s.recorder, {s.gpu_scene, view, s.size, jitter}, s.gbuffer);
   shading::begin_sample(s.film);
   for (uint32_t first = 0; first < pixels; first += s.portion, done += share) {
-    s.recorder.stage(gpu::Stage::shading);
-    shading::surfaces_from_raster(s.recorder,
-                                  {s.gbuffer, s.gpu_scene, view, s.size, s.options.algorithm.ray_order, first,
-                                   std::min(s.portion, pixels - first)},
-                                  s.paths.first, s.paths.generations[0]);
+    s.recorder.stage(Stage::shading);
+    surfaces::from_raster(s.recorder,
+                          {s.gbuffer, s.gpu_scene, view, s.size, s.options.algorithm.ray_order, first,
+                           std::min(s.portion, pixels - first)},
+                          s.paths.first, s.paths.generations[0]);
     trace_paths(s, progress, done, share);
     shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene, view},
                         s.film);
@@ -146,12 +145,12 @@ void render_sample(Renderer::State& s, const raster::CameraView& view, const Ren
 Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
   const scene::Pose pose = s.scene.pose(seconds, s.animation);
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
-  s.recorder.stage(gpu::Stage::raster);
+  s.recorder.stage(Stage::raster);
   s.placing = true;
   place_objects(s, pose);
   s.recorder.submit();
   s.placing = false;
-  s.recorder.stage(gpu::Stage::raster);
+  s.recorder.stage(Stage::raster);
   shading::begin_frame(s.recorder, s.film, s.size, s.options.layers);
   s.paths.generations.resize(s.options.bounces + 2);
   s.paths.gathered.resize(s.options.bounces + 2);

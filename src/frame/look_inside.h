@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "frame/inside.h"
+#include "crsh/built.h"
 #include "frame/state.h"
 
 namespace crsh {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <chrono>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "frame/look_inside.h"
 #include "frame/state.h"
-#include "scene/device_materials.h"
+#include "scene/device/device_materials.h"
 
 namespace crsh {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "frame/inside.h"
-#include "frame/options.h"
-#include "frame/picture.h"
-#include "frame/ray_table.h"
-#include "frame/statistics.h"
+#include "crsh/built.h"
+#include "crsh/options.h"
+#include "crsh/picture.h"
+#include "crsh/ray_table.h"
+#include "crsh/statistics.h"
 #include "gpu/device.h"
 #include "scene/scene.h"
 

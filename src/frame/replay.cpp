@@ -16,7 +16,7 @@ namespace {
 struct Uploaded {
   std::vector<shared::Ray> rays;
   std::vector<uint32_t> slots;
-  std::vector<glm::vec4> pixels, paths;  ///< in w, as shading::Surfaces have them
+  std::vector<glm::vec4> pixels, paths;  ///< in w, as surfaces::Surfaces have them
 };
 
 Uploaded uploaded(const RayTable& table, const ReplayBatch& batch) {

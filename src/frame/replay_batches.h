@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "frame/options.h"
-#include "frame/ray_table.h"
+#include "crsh/options.h"
+#include "crsh/ray_table.h"
 #include "rays/batch.h"
 
 namespace crsh {

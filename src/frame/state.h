@@ -6,9 +6,9 @@
 
 #include "coherence/coherence.h"
 #include "coherence/trim.h"
+#include "crsh/built.h"
+#include "crsh/ray_table.h"
 #include "frame/counters.h"
-#include "frame/inside.h"
-#include "frame/ray_table.h"
 #include "frame/renderer.h"
 #include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
@@ -20,10 +20,10 @@
 #include "objects/hierarchy.h"
 #include "raster/raster.h"
 #include "rays/create.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 #include "shading/film.h"
 #include "shading/gather.h"
-#include "shading/surfaces.h"
+#include "surfaces/surfaces.h"
 #include "traversal/traversal.h"
 
 namespace crsh {
@@ -46,10 +46,10 @@ struct BatchBuffers {
 
 /// The surfaces of generation 0, of two later ones in turn, and what is kept of each until the gathering.
 struct PathBuffers {
-  shading::Surfaces first, later[2];
-  std::vector<shading::Generation> generations;
+  surfaces::Surfaces first, later[2];
+  std::vector<surfaces::Generation> generations;
   std::vector<shading::Gathered> gathered;
-  [[nodiscard]] shading::Surfaces& surfaces(uint32_t generation) {
+  [[nodiscard]] surfaces::Surfaces& surfaces(uint32_t generation) {
     return generation == 0 ? first : later[generation % 2];
   }
 };

@@ -12,7 +12,7 @@ void place_objects(Renderer::State& state, const scene::Pose& pose);
 /// little, or all rays of the batch are so scattered, that sorting would cost more than it saves.
 [[nodiscard]] Tracing tracing_of(const Renderer::State& state);
 
-/// Whose rays a batch holds: the pixel and path of each slot's surface, as shading::Surfaces have them.
+/// Whose rays a batch holds: the pixel and path of each slot's surface, as surfaces::Surfaces have them.
 struct RayNames {
   const gpu::Buffer& pixels;   ///< vec4 a surface, w: bits of the pixel
   const gpu::Buffer& paths;    ///< vec4 a surface, w: bits of the path

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "gpu/device.h"
 
 namespace crsh::gpu {

@@ -1,6 +1,6 @@
 // VkResults as sentences.
 
-#include "error.h"
+#include "crsh/error.h"
 #include "gpu/device.h"
 
 namespace crsh::gpu {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 
 namespace crsh::gpu {
 namespace {

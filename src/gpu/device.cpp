@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "assertion.h"
-#include "error.h"
+#include "crsh/assertion.h"
+#include "crsh/error.h"
 #include "gpu/instance.h"
 #include "gpu/program.h"
 #include "gpu/transfer.h"

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "gpu/program.h"
 
 namespace crsh::gpu {

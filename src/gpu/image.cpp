@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "gpu/transfer.h"
 
 namespace crsh::gpu {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::gpu {
 namespace {

@@ -5,37 +5,12 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
+#include "crsh/stage.h"
 #include "gpu/device.h"
 
 namespace crsh::gpu {
-
-/// The rows of the paper's Table 3, with the raster pass, shading and the object hierarchy besides.
-enum class Stage : uint32_t {
-  raster,
-  ray_creation,
-  ray_compression,
-  ray_sorting,
-  ray_decompression,
-  hierarchy_creation,
-  hierarchy_traversal,
-  final_intersection,
-  shading,
-  object_hierarchy
-};
-inline constexpr size_t stage_count = 10;
-inline constexpr std::array<std::string_view, stage_count> stage_names = {"raster",
-                                                                          "ray creation",
-                                                                          "ray compression",
-                                                                          "ray sorting",
-                                                                          "ray decompression",
-                                                                          "hierarchy creation",
-                                                                          "hierarchy traversal",
-                                                                          "final intersection",
-                                                                          "shading",
-                                                                          "object hierarchy"};
 
 /// Writes a timestamp at every change of stage and at the end of a submit; sums up the spans a stage.
 class Profiler {

@@ -1,6 +1,6 @@
 #include "gpu/program.h"
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "gpu/shader_module.h"
 
 namespace crsh::gpu {

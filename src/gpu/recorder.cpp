@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 
 namespace crsh::gpu {
 namespace {

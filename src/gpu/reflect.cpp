@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "gpu/embedded.h"
 #include "gpu/program.h"
 

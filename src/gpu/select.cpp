@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "gpu/instance.h"
 
 namespace crsh::gpu {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "primitives/grow.h"
 #include "shared/limits.h"
 

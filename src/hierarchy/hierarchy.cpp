@@ -83,7 +83,7 @@ Range Level::children_of(Range wanted) const {
 }
 
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& out) {
-  recorder.stage(gpu::Stage::hierarchy_creation);
+  recorder.stage(Stage::hierarchy_creation);
   out.depth = depth_of(in);
   out.bound = in.options.bound;
   out.rays = 0;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
 #include "primitives/compact.h"

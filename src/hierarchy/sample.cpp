@@ -34,7 +34,7 @@ std::vector<float> rays_a_node(gpu::Recorder& recorder, const SampleIn& in, gpu:
   const std::vector<rays::Segment>& segments = in.batch.segments;
   std::vector<float> means(segments.size(), std::numeric_limits<float>::infinity());
   if (std::ranges::none_of(segments, is_sampled)) return means;
-  recorder.stage(gpu::Stage::hierarchy_creation);
+  recorder.stage(Stage::hierarchy_creation);
   primitives::grow(recorder, sums, primitives::quad_bytes(segments.size()), "sampled nodes");
   recorder.fill(sums, 0, segments.size());
   const CutLimits limits = cut_limits(in.options, in.extent, 0);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "gpu/recorder.h"
 #include "rays/batch.h"
 

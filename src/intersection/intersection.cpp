@@ -8,13 +8,13 @@
 namespace crsh::intersection {
 
 void clear(gpu::Recorder& recorder, const rays::Batch& batch, const gpu::Buffer& hits) {
-  recorder.stage(gpu::Stage::final_intersection);
+  recorder.stage(Stage::final_intersection);
   recorder.dispatch("intersection/clear", batch.count, batch.count, {batch.rays, hits});
 }
 
 void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy& hierarchy,
                const gpu::Buffer& sorted_rays, const gpu::Buffer& order, const traversal::Candidates& candidates) {
-  recorder.stage(gpu::Stage::final_intersection);
+  recorder.stage(Stage::final_intersection);
   const hierarchy::Level& level = hierarchy.levels.front();
   const struct {
     uint32_t first_node, node_count, most_rays, first_base, pairs_before, tests_counter, first_account;
@@ -32,12 +32,12 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
        level.children, candidates.bases, candidates.pairs, in.counters, in.account.buffer_or(in.counters)},
       candidates.count * level.most_children);
   recorder.submit_past(in.submit_work);
-  recorder.stage(gpu::Stage::hierarchy_traversal);
+  recorder.stage(Stage::hierarchy_traversal);
 }
 
 void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& segment) {
   if (segment.count == 0) return;
-  recorder.stage(gpu::Stage::final_intersection);
+  recorder.stage(Stage::final_intersection);
   const uint32_t triangles = in.scene.triangle_count;
   const uint32_t batch =
       static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / 64, 256, shared::max_batch_triangles));

@@ -8,7 +8,7 @@
 #include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "rays/batch.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 #include "traversal/traversal.h"
 
 namespace crsh::intersection {

@@ -113,7 +113,7 @@ void intersect_nodes(gpu::Recorder& recorder, const NodesIn& in, size_t segment,
   if (rays.count == 0) return;
   const hierarchy::Hierarchy& hierarchy = in.traversal.hierarchy;
   const Range groups = in.traversal.options.levels[rays.kind] > 1 ? hierarchy.levels[1].segments[segment] : Range{};
-  recorder.stage(gpu::Stage::hierarchy_traversal);
+  recorder.stage(Stage::hierarchy_traversal);
   Nodes(recorder, in, rays, scratch, single).run(hierarchy.levels[0].segments[segment], groups);
 }
 

@@ -103,7 +103,7 @@ class SingleRays {
 void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
                       const rays::Segment& segment, SingleScratch& scratch) {
   if (segment.count == 0) return;
-  recorder.stage(gpu::Stage::final_intersection);
+  recorder.stage(Stage::final_intersection);
   SingleRays(recorder, in, objects, segment, scratch).run();
 }
 
@@ -116,7 +116,7 @@ void intersect_left(gpu::Recorder& recorder, const In& in, const objects::Hierar
                     const rays::Segment& segment, SingleScratch& scratch) {
   const uint32_t left = recorder.read<uint32_t>(scratch.count, 1)[0];
   if (left == 0) return;
-  recorder.stage(gpu::Stage::final_intersection);
+  recorder.stage(Stage::final_intersection);
   SingleRays(recorder, in, objects, segment, scratch).run_left(left);
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "primitives/grow.h"
 #include "primitives/scan.h"
 #include "primitives/sort.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::objects {
 namespace {
@@ -31,7 +31,7 @@ void require_ray_queries(const gpu::Device& device) {
 void update(gpu::Recorder& recorder, const In& in, DeviceHierarchy& h) {
   const uint32_t triangles = in.scene.triangle_count;
   if (triangles == 0 || (h.builds > 0 && std::ranges::equal(h.pose, in.pose))) return;
-  recorder.stage(gpu::Stage::object_hierarchy);
+  recorder.stage(Stage::object_hierarchy);
   if (!h.structure) make(recorder, triangles, h);
   recorder.dispatch("objects/soup", triangles, triangles,
                     {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, h.corners}, triangles);

@@ -38,7 +38,7 @@ void fit_rank(gpu::Recorder& recorder, const In& in, Hierarchy& h, Rank rank) {
 }  // namespace
 
 void fit(gpu::Recorder& recorder, const In& in, Hierarchy& h) {
-  recorder.stage(gpu::Stage::object_hierarchy);
+  recorder.stage(Stage::object_hierarchy);
   const struct { uint32_t count; } push{h.triangle_count};
   recorder.dispatch("objects/corners", h.triangle_count, push,
                     {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, h.order, h.leaf_a, h.leaf_b, h.leaf_c},
@@ -50,7 +50,7 @@ void fit(gpu::Recorder& recorder, const In& in, Hierarchy& h) {
 }
 
 void update(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy) {
-  recorder.stage(gpu::Stage::object_hierarchy);
+  recorder.stage(Stage::object_hierarchy);
   if (hierarchy.node_count == 0) return build(recorder, in, hierarchy);
   if (std::ranges::equal(hierarchy.pose, in.pose)) return;
   refit(recorder, in, hierarchy);

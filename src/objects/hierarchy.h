@@ -9,7 +9,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 
 namespace crsh::objects {
 

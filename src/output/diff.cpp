@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::output {
 namespace {

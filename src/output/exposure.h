@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "frame/picture.h"
+#include "crsh/picture.h"
 
 namespace crsh::output {
 

@@ -19,7 +19,7 @@
 #include <list>
 #include <thread>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/memory_stream.h"
 #include "output/whole_file.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "frame/picture.h"
+#include "crsh/picture.h"
 #include "output/image.h"
 
 namespace crsh::output {

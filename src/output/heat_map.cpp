@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "output/png.h"
 
 namespace crsh::output {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/picture.h"
+#include "crsh/picture.h"
 
 namespace crsh::output {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/exr.h"
 #include "output/png.h"
 #include "output/whole_file.h"

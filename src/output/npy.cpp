@@ -9,7 +9,7 @@
 #include <charconv>
 #include <regex>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::output {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::output {
 namespace {

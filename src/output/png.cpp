@@ -11,7 +11,7 @@
 #include <new>
 #include <span>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::output {
 namespace {

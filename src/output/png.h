@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "frame/picture.h"
+#include "crsh/picture.h"
 #include "output/image.h"
 
 namespace crsh::output {

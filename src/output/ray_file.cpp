@@ -6,11 +6,11 @@
 #include <cstring>
 #include <limits>
 
-#include "error.h"
+#include "crsh/error.h"
+#include "crsh/kinds.h"
 #include "output/npy.h"
 #include "output/whole_file.h"
 #include "output/zip_archive.h"
-#include "rays/kinds.h"
 
 namespace crsh::output {
 namespace {

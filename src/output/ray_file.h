@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "frame/ray_table.h"
+#include "crsh/ray_table.h"
 
 namespace crsh::output {
 

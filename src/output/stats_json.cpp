@@ -7,7 +7,7 @@
 #include <numeric>
 #include <thread>
 
-#include "version.h"
+#include "crsh/version.h"
 
 namespace crsh::output {
 namespace {
@@ -32,10 +32,10 @@ Json frame_json(const std::vector<FrameTime>& frames) {
 
 Json stages_json(const std::vector<FrameTime>& frames) {
   Json stages = Json::array();
-  for (size_t stage = 0; stage < gpu::stage_count; ++stage) {
+  for (size_t stage = 0; stage < stage_count; ++stage) {
     std::vector<double> values;
     for (const FrameTime& frame : frames) values.push_back(frame.stage_ms[stage]);
-    stages.push_back({{"name", gpu::stage_names[stage]}, {"ms", summary(std::move(values))}});
+    stages.push_back({{"name", stage_names[stage]}, {"ms", summary(std::move(values))}});
   }
   return stages;
 }

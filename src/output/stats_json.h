@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/statistics.h"
+#include "crsh/statistics.h"
 #include "gpu/device.h"
 
 namespace crsh::output {

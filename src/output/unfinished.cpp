@@ -9,7 +9,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::output::unfinished {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/unfinished.h"
 
 namespace crsh::output {

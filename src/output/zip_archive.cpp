@@ -5,8 +5,8 @@
 
 #include <new>
 
-#include "assertion.h"
-#include "error.h"
+#include "crsh/assertion.h"
+#include "crsh/error.h"
 
 namespace crsh::output {
 namespace {

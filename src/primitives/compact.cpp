@@ -1,6 +1,6 @@
 #include "primitives/compact.h"
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "primitives/grow.h"
 
 namespace crsh::primitives {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "primitives/grow.h"
 
 namespace crsh::primitives {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::raster {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "scene/scene.h"
 
 namespace crsh::raster {

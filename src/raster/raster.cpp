@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::raster {
 namespace {

@@ -9,7 +9,7 @@
 #include "gpu/program.h"
 #include "gpu/recorder.h"
 #include "raster/camera.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 
 namespace crsh::raster {
 

@@ -50,7 +50,7 @@ void create_shadow(gpu::Recorder& recorder, const CreateIn& in, uint32_t first, 
 void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segment, const Sparse& out,
                     gpu::Buffer& weights) {
   const uint32_t kind = in.plan.segments[segment].kind;
-  const shading::Surfaces& s = in.surfaces;
+  const surfaces::Surfaces& s = in.surfaces;
   primitives::grow(recorder, weights, s.count * uint64_t(sizeof(glm::vec4)), "ray weights");
   const bool mirror = kind == shared::kind_reflection && in.override_mirror;
   const ClosestPush push{in.plan.surfaces, in.plan.first_surface, segment * in.plan.surfaces, mirror ? 1u : 0u};
@@ -80,7 +80,7 @@ std::array<bool, kind_count> kinds_at(const RenderOptions& options, uint32_t bou
   return kinds;
 }
 
-void create(gpu::Recorder& recorder, const CreateIn& in, Sparse& out, shading::Generation& generation) {
+void create(gpu::Recorder& recorder, const CreateIn& in, Sparse& out, surfaces::Generation& generation) {
   const BatchPlan& plan = in.plan;
   out.slots = plan.slots();
   primitives::grow(recorder, out.rays, out.slots * uint64_t(sizeof(shared::Ray)), "sparse rays");

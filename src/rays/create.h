@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "crsh/kinds.h"
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
-#include "rays/kinds.h"
-#include "scene/upload.h"
-#include "shading/surfaces.h"
+#include "scene/device/upload.h"
 #include "shared/limits.h"
+#include "surfaces/surfaces.h"
 
 namespace crsh::rays {
 
@@ -53,13 +53,13 @@ struct Sparse {
 };
 
 struct CreateIn {
-  const shading::Surfaces& surfaces;
+  const surfaces::Surfaces& surfaces;
   const scene::GpuScene& scene;
   const BatchPlan& plan;
   bool override_mirror = false;
 };
 
 /// Creates the batch's rays; the weights of reflection and refraction rays go to `generation`.
-void create(gpu::Recorder& recorder, const CreateIn& in, Sparse& out, shading::Generation& generation);
+void create(gpu::Recorder& recorder, const CreateIn& in, Sparse& out, surfaces::Generation& generation);
 
 }  // namespace crsh::rays

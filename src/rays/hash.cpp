@@ -4,7 +4,7 @@
 #include <bit>
 #include <map>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 #include "primitives/grow.h"
 #include "primitives/sort.h"
 

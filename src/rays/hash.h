@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "crsh/kinds.h"
 #include "gpu/recorder.h"
 #include "rays/batch.h"
-#include "rays/kinds.h"
 #include "scene/scene.h"
 
 namespace crsh::rays {

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "error.h"
+#include "crsh/error.h"
 
 namespace crsh::scene {
 namespace {

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "scene/animation.h"
 
 namespace crsh::scene {

@@ -165,11 +165,6 @@ struct Scene {
   [[nodiscard]] Bounds bounds(const Pose& pose) const;
 };
 
-/// Loads .gltf or .glb. `which`: index or name of the glTF scene, empty: the file's default scene, else the first.
-/// Throws UserError (one line: file, reason, mend) for anything broken; what is merely unsupported goes to
-/// `unsupported`.
-[[nodiscard]] Scene load(const std::filesystem::path& path, const std::string& which = {});
-
 /// The object's sphere after `transform` (section 3.2.1): centre moved, radius times the largest stretch, rounded
 /// outwards; `cover_similar` where the transform is a similarity, else `cover_affine`.
 [[nodiscard]] Sphere transformed_sphere(const Mesh& mesh, const glm::mat4& transform);

@@ -20,12 +20,12 @@ uint32_t lights_of(const rays::BatchPlan& plan) {
 
 }  // namespace
 
-void add_direct(gpu::Recorder& recorder, const DirectIn& in, Generation& generation) {
+void add_direct(gpu::Recorder& recorder, const DirectIn& in, surfaces::Generation& generation) {
   const rays::BatchPlan& plan = in.plan;
   const uint32_t lights = lights_of(plan);
   if (lights == 0) return;
   const Push push{plan.surfaces, plan.first_surface, 0, plan.segments[0].light, lights};
-  const Surfaces& s = in.surfaces;
+  const surfaces::Surfaces& s = in.surfaces;
   recorder.dispatch("shading/direct", plan.surfaces, push,
                     {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, in.scene.lights, in.ends,
                      in.hits, generation.direct},

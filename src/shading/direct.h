@@ -3,13 +3,13 @@
 
 #include "gpu/recorder.h"
 #include "rays/create.h"
-#include "scene/upload.h"
-#include "shading/surfaces.h"
+#include "scene/device/upload.h"
+#include "surfaces/surfaces.h"
 
 namespace crsh::shading {
 
 struct DirectIn {
-  const Surfaces& surfaces;
+  const surfaces::Surfaces& surfaces;
   const scene::GpuScene& scene;
   const rays::BatchPlan& plan;
   const gpu::Buffer& ends;  ///< of the batch
@@ -17,7 +17,7 @@ struct DirectIn {
 };
 
 /// Adds what the batch's shadow rays let through to `generation.direct`, light by light.
-void add_direct(gpu::Recorder& recorder, const DirectIn& in, Generation& generation);
+void add_direct(gpu::Recorder& recorder, const DirectIn& in, surfaces::Generation& generation);
 
 /// Adds visibility and number of the batch's shadow rays to their pixels: vec4, x and y.
 void add_visibility(gpu::Recorder& recorder, const DirectIn& in, const gpu::Buffer& pixels);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "primitives/grow.h"
 
 namespace crsh::shading {
@@ -63,7 +63,7 @@ void clear(gpu::Recorder& recorder, const Film& film) {
 }
 
 void add_geometry(gpu::Recorder& recorder, const SampleIn& in, const Film& film) {
-  const Surfaces& s = in.surfaces;
+  const surfaces::Surfaces& s = in.surfaces;
   if (film.layers.has(LayerId::depth)) {
     const struct {
       glm::vec3 eye;
@@ -92,7 +92,7 @@ void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size, co
 void begin_sample(Film& film) { ++film.samples; }
 
 void add_sample(gpu::Recorder& recorder, const SampleIn& in, Film& film) {
-  const Surfaces& s = in.surfaces;
+  const surfaces::Surfaces& s = in.surfaces;
   const bool first = film.samples == 1;
   for (const Summed& layer : summed(in))
     if (film.layers.has(layer.layer) && (first || !layer.first_sample_only))

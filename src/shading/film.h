@@ -6,14 +6,14 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "frame/layers.h"
-#include "frame/picture.h"
+#include "crsh/layers.h"
+#include "crsh/picture.h"
 #include "gpu/recorder.h"
 #include "raster/camera.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 #include "shading/gather.h"
-#include "shading/surfaces.h"
 #include "shared/account.h"
+#include "surfaces/surfaces.h"
 
 namespace crsh::shading {
 
@@ -47,8 +47,8 @@ void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size, co
 void begin_sample(Film& film);
 
 struct SampleIn {
-  const Surfaces& surfaces;  ///< of k = 0
-  const Generation& generation;
+  const surfaces::Surfaces& surfaces;  ///< of k = 0
+  const surfaces::Generation& generation;
   const Gathered& gathered;
   const scene::GpuScene& scene;
   const raster::CameraView& view;

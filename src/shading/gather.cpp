@@ -19,15 +19,15 @@ struct Push {
 /// The surfaces [first, first + count) and where their children of each kind are.
 struct Portion {
   uint32_t first = 0, count = 0;
-  const Children* reflection = nullptr;
-  const Children* refraction = nullptr;
+  const surfaces::Children* reflection = nullptr;
+  const surfaces::Children* refraction = nullptr;
 };
 
 /// Batches split surfaces at the same places, so children of different batches cover the same surfaces, or none in
 /// common.
-std::vector<Portion> portions_of(const Generation& generation) {
+std::vector<Portion> portions_of(const surfaces::Generation& generation) {
   std::vector<Portion> portions;
-  for (const Children& children : generation.children) {
+  for (const surfaces::Children& children : generation.children) {
     if (portions.empty() || portions.back().first != children.first_surface)
       portions.push_back({children.first_surface, children.surfaces});
     if (children.first_slot[shared::kind_reflection] != shared::none) portions.back().reflection = &children;
@@ -37,7 +37,7 @@ std::vector<Portion> portions_of(const Generation& generation) {
   return portions;
 }
 
-Link link_of(const Children* children, uint32_t kind) {
+Link link_of(const surfaces::Children* children, uint32_t kind) {
   if (!children || !children->totals) return {};
   return {children->first_slot[kind], children->first_ray - children->first_child, 1};
 }
@@ -47,15 +47,15 @@ const gpu::Buffer& or_else(const gpu::Buffer& buffer, const gpu::Buffer& stand_i
   return buffer.bytes() ? buffer : stand_in;
 }
 
-void gather_portion(gpu::Recorder& recorder, const Generation& g, const Portion& portion, glm::vec3 background,
-                    const Gathered& out, Parts parts) {
+void gather_portion(gpu::Recorder& recorder, const surfaces::Generation& g, const Portion& portion,
+                    glm::vec3 background, const Gathered& out, Parts parts) {
   const Link reflection = link_of(portion.reflection, shared::kind_reflection);
   const Link refraction = link_of(portion.refraction, shared::kind_refraction);
   const gpu::Buffer& nothing = g.emission;
-  const auto ends = [&](const Link& link, const Children* c) -> const gpu::Buffer& {
+  const auto ends = [&](const Link& link, const surfaces::Children* c) -> const gpu::Buffer& {
     return link.any ? c->ends : nothing;
   };
-  const auto totals = [&](const Link& link, const Children* c) -> const gpu::Buffer& {
+  const auto totals = [&](const Link& link, const surfaces::Children* c) -> const gpu::Buffer& {
     return link.any ? or_else(*c->totals, nothing) : nothing;
   };
   recorder.dispatch({"shading/gather", {{0, parts == Parts::wanted}}}, portion.count,
@@ -68,7 +68,8 @@ void gather_portion(gpu::Recorder& recorder, const Generation& g, const Portion&
 
 }  // namespace
 
-void gather(gpu::Recorder& recorder, const Generation& generation, glm::vec3 background, Gathered& out, Parts parts) {
+void gather(gpu::Recorder& recorder, const surfaces::Generation& generation, glm::vec3 background, Gathered& out,
+            Parts parts) {
   const uint64_t bytes = generation.count * uint64_t(sizeof(glm::vec4));
   primitives::grow(recorder, out.total, bytes, "gathered light");
   if (parts == Parts::wanted) {

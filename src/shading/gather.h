@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "gpu/recorder.h"
-#include "shading/surfaces.h"
+#include "surfaces/surfaces.h"
 
 namespace crsh::shading {
 
@@ -20,7 +20,7 @@ enum class Parts { unwanted, wanted };
 
 /// total = emission + direct + reflection weight × child's total + refraction weight × child's total, or `background`
 /// where nothing was met. Every Children of the generation needs its `totals`; generations after the last have none.
-void gather(gpu::Recorder& recorder, const Generation& generation, glm::vec3 background, Gathered& out,
+void gather(gpu::Recorder& recorder, const surfaces::Generation& generation, glm::vec3 background, Gathered& out,
             Parts parts = Parts::unwanted);
 
 }  // namespace crsh::shading

@@ -21,7 +21,7 @@ void reserve(gpu::Recorder& recorder, gpu::Buffer& frontiers, uint64_t lists) {
 
 void walk_groups(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects, hierarchy::Range groups,
                  gpu::Buffer& frontiers) {
-  recorder.stage(gpu::Stage::hierarchy_traversal);
+  recorder.stage(Stage::hierarchy_traversal);
   reserve(recorder, frontiers, groups.count);
   const hierarchy::Level& level = in.hierarchy.levels[1];
   const struct {

@@ -257,7 +257,7 @@ class Descent {
 void traverse(gpu::Recorder& recorder, const In& in, uint32_t depth, Range nodes, Scratch& scratch,
               const std::function<void(const Candidates&)>& intersect) {
   if (nodes.count == 0 || in.scene.block_count == 0) return;
-  recorder.stage(gpu::Stage::hierarchy_traversal);
+  recorder.stage(Stage::hierarchy_traversal);
   Descent(recorder, in, scratch, intersect).run(depth, nodes);
 }
 

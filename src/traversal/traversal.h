@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <functional>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
 #include "hierarchy/account.h"
 #include "hierarchy/hierarchy.h"
 #include "primitives/scan.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 
 namespace crsh::traversal {
 

@@ -5,7 +5,7 @@
 
 #include "cli/render_checks.h"
 #include "cli/rows.h"
-#include "error.h"
+#include "crsh/error.h"
 #include "output/whole_file.h"
 #include "rays/hash.h"
 

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "raster/camera.h"
 #include "scene/scene.h"
 

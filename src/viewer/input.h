@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "viewer/model.h"
-#include "viewer/panels.h"
+#include "viewer/panels/panels.h"
 #include "viewer/window.h"
 
 namespace crsh::viewer {

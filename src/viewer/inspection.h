@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "frame/inside.h"
+#include "crsh/built.h"
 #include "frame/renderer.h"
 
 namespace crsh::viewer {

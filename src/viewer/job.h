@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "frame/options.h"
-#include "frame/picture.h"
-#include "frame/statistics.h"
+#include "crsh/options.h"
+#include "crsh/picture.h"
+#include "crsh/statistics.h"
 #include "scene/scene.h"
 #include "viewer/inspection.h"
 

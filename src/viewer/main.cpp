@@ -6,10 +6,10 @@
 #include <exception>
 #include <new>
 
-#include "error.h"
-#include "leaks.h"
+#include "crsh/error.h"
+#include "crsh/leaks.h"
+#include "crsh/version.h"
 #include "output/whole_file.h"
-#include "version.h"
 #include "viewer/args.h"
 #include "viewer/viewer.h"
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/exposure.h"
 #include "raster/camera.h"
+#include "scene/device/world_lights.h"
 #include "scene/hide.h"
-#include "scene/world_lights.h"
 
 namespace crsh::viewer {
 namespace {
@@ -107,7 +107,7 @@ void Model::take_pictures(const News& latest) {
   if (!left.shown || left.shown->serial == history_serial || left.shown->statistics.frames.empty()) return;
   history_serial = left.shown->serial;
   const FrameTime& time = left.shown->statistics.frames.back();
-  for (size_t stage = 0; stage < gpu::stage_count; ++stage) {
+  for (size_t stage = 0; stage < stage_count; ++stage) {
     stage_history[stage].push_back(float(time.stage_ms[stage]));
     if (stage_history[stage].size() > history) stage_history[stage].pop_front();
   }

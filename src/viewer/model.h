@@ -60,7 +60,7 @@ struct Model {
 
   bool panels = true, keys_help = false;
   std::vector<Message> messages;
-  std::array<std::deque<float>, gpu::stage_count> stage_history;  ///< milliseconds a picture
+  std::array<std::deque<float>, stage_count> stage_history;  ///< milliseconds a picture
   uint64_t history_serial = 0;
   std::chrono::steady_clock::time_point moved{};  ///< when the view changed last
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gpu/swapchain.h"
+#include "gpu/window/swapchain.h"
 #include "viewer/model.h"
 
 namespace crsh::viewer {

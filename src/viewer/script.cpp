@@ -10,7 +10,7 @@
 #include <memory>
 #include <sstream>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/whole_file.h"
 #include "viewer/saving.h"
 

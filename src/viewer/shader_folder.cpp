@@ -8,7 +8,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "gpu/embedded.h"
 #include "output/whole_file.h"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/layers.h"
-#include "frame/picture.h"
+#include "crsh/layers.h"
+#include "crsh/picture.h"
 
 namespace crsh::viewer {
 

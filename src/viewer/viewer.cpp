@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/whole_file.h"
-#include "viewer/overlays.h"
+#include "viewer/overlays/overlays.h"
 #include "viewer/saving.h"
 
 namespace crsh::viewer {

@@ -6,7 +6,7 @@
 
 #include "viewer/input.h"
 #include "viewer/model.h"
-#include "viewer/panels.h"
+#include "viewer/panels/panels.h"
 #include "viewer/script.h"
 #include "viewer/widgets.h"
 #include "viewer/window.h"

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "assertion.h"
+#include "crsh/assertion.h"
 
 namespace crsh::viewer {
 namespace {

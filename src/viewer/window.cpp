@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "viewer/style.h"
 
 namespace crsh::viewer {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "gpu/device.h"
-#include "gpu/imgui_backend.h"
-#include "gpu/surface.h"
-#include "gpu/swapchain.h"
+#include "gpu/window/imgui_backend.h"
+#include "gpu/window/surface.h"
+#include "gpu/window/swapchain.h"
 
 struct GLFWwindow;
 

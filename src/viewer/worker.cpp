@@ -5,7 +5,8 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "error.h"
+#include "crsh/error.h"
+#include "scene/gltf/load.h"
 #include "scene/hide.h"
 
 namespace crsh::viewer {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "output/whole_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "frame/layers.h"
+#include "crsh/layers.h"
 #include "output/diff.h"
 #include "output/exr.h"
 #include "output/png.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "frame/picture.h"
+#include "crsh/picture.h"
 
 namespace crsh::test {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "frame/options.h"
-#include "frame/picture.h"
+#include "crsh/options.h"
+#include "crsh/picture.h"
 #include "scene/scene.h"
 
 namespace crsh::test {

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "crsh/kinds.h"
 #include "images/built_scene.h"
-#include "rays/kinds.h"
 #include "support/render.h"
 
 namespace crsh::test {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "support/device.h"
 #include "support/render.h"
 

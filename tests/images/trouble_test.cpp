@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "images/built_scene.h"
 #include "support/device.h"
 #include "support/render.h"

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "rays/kinds.h"
+#include "crsh/kinds.h"
 #include "shared/ray.h"
 #include "support/render.h"
 

@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "gpu/recorder.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 #include "support/device.h"
 
 namespace crsh::test {

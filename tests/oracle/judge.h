@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "frame/ray_table.h"
+#include "crsh/ray_table.h"
 #include "oracle/embree.h"
 
 namespace crsh::test {

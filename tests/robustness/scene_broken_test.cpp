@@ -6,9 +6,10 @@
 #include <cmath>
 
 #include "../unit/scene_file.h"
-#include "error.h"
-#include "scene/document.h"
-#include "scene/mesh.h"
+#include "crsh/error.h"
+#include "scene/gltf/document.h"
+#include "scene/gltf/load.h"
+#include "scene/gltf/mesh.h"
 
 using namespace crsh;
 using test::Folder;

@@ -9,7 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "error.h"
+#include "crsh/error.h"
+#include "scene/gltf/load.h"
 #include "scene/scene.h"
 
 using namespace crsh;

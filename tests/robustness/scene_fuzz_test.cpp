@@ -5,7 +5,8 @@
 #include <random>
 
 #include "../unit/scene_file.h"
-#include "error.h"
+#include "crsh/error.h"
+#include "scene/gltf/load.h"
 
 using namespace crsh;
 using test::Folder;

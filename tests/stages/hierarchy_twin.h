@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "rays/batch.h"
 #include "shared/limits.h"
 

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "raster/raster.h"
-#include "shading/surfaces.h"
 #include "shared/limits.h"
 #include "small_scene.h"
 #include "support/cases.h"
+#include "surfaces/surfaces.h"
 
 namespace crsh {
 namespace {
@@ -30,10 +30,10 @@ Seen see(const SmallScene& small, const raster::CameraView& view, raster::ImageS
   const scene::GpuScene gpu = small.on(recorder);
   raster::GBuffer gbuffer;
   raster::rasterise(recorder, {gpu, view, size, jitter}, gbuffer);
-  shading::Surfaces s;
-  shading::Generation g;
+  surfaces::Surfaces s;
+  surfaces::Generation g;
   const uint32_t n = size.width * size.height;
-  shading::surfaces_from_raster(recorder, {gbuffer, gpu, view, size, RayOrder::scanline, 0, n}, s, g);
+  surfaces::from_raster(recorder, {gbuffer, gpu, view, size, RayOrder::scanline, 0, n}, s, g);
   const auto read = [&](const gpu::Buffer& buffer) { return recorder.read<glm::vec4>(buffer, n); };
   return {read(s.position), read(s.normal),   read(s.geometric), read(s.incoming),
           read(s.diffuse),  read(s.specular), read(g.emission)};

@@ -29,8 +29,7 @@ std::vector<uint32_t> pixels_in_order(raster::ImageSize size, RayOrder order, ui
   const raster::CameraView view;
   raster::rasterise(recorder, {gpu, view, size}, gbuffer);
   test::HandMade made;
-  shading::surfaces_from_raster(recorder, {gbuffer, gpu, view, size, order, first, count}, made.surfaces,
-                                made.generation);
+  surfaces::from_raster(recorder, {gbuffer, gpu, view, size, order, first, count}, made.surfaces, made.generation);
   std::vector<uint32_t> pixels;
   for (const glm::vec4& d : recorder.read<glm::vec4>(made.surfaces.diffuse, count))
     pixels.push_back(std::bit_cast<uint32_t>(d.w));
@@ -147,7 +146,7 @@ TEST_CASE("gathering follows slots to rays to children, by kind, and takes the b
   gpu::upload_bytes(device, made.generation.direct, 0, light.data(), 48);
   made.generation.reflection_weight = gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.5f)), "weights");
   made.generation.refraction_weight = gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.25f)), "weights");
-  shading::Children children;
+  surfaces::Children children;
   children.ends = gpu::upload(device, std::vector<uint32_t>{5, 5, 5, 6, 7, 7, 7, 8, 8}, "ends");  // slots 0-2: shadow
   children.surfaces = 3;
   children.first_slot = {shared::none, 3, 6};
@@ -177,7 +176,7 @@ TEST_CASE("kinds in batches of their own gather the same") {
   const gpu::Buffer totals =
       gpu::upload(device, std::vector<glm::vec4>{glm::vec4(2), glm::vec4(3), glm::vec4(5)}, "totals");
   for (const uint32_t kind : {shared::kind_reflection, shared::kind_refraction}) {
-    shading::Children children;
+    surfaces::Children children;
     children.ends = gpu::upload(
         device, kind == shared::kind_reflection ? std::vector<uint32_t>{1, 2} : std::vector<uint32_t>{0, 1}, "ends");
     children.surfaces = 2;

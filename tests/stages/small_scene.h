@@ -8,8 +8,8 @@
 
 #include "gpu/recorder.h"
 #include "scene/bounding.h"
+#include "scene/device/upload.h"
 #include "scene/scene.h"
-#include "scene/upload.h"
 #include "support/device.h"
 
 namespace crsh::test {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "gpu/buffer.h"
-#include "shading/surfaces.h"
 #include "support/cases.h"
 #include "support/device.h"
+#include "surfaces/surfaces.h"
 
 namespace crsh::test {
 
@@ -21,8 +21,8 @@ struct Point {
 };
 
 struct HandMade {
-  shading::Surfaces surfaces;
-  shading::Generation generation;
+  surfaces::Surfaces surfaces;
+  surfaces::Generation generation;
 };
 
 inline HandMade upload_points(const std::vector<Point>& points) {

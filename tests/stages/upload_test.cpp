@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 
-#include "scene/device_materials.h"
-#include "scene/texel_pages.h"
-#include "scene/world_lights.h"
+#include "scene/device/device_materials.h"
+#include "scene/device/texel_pages.h"
+#include "scene/device/world_lights.h"
 #include "shared/limits.h"
 #include "small_scene.h"
 #include "support/cases.h"

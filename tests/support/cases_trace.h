@@ -7,14 +7,14 @@
 #include <limits>
 #include <vector>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "gpu/recorder.h"
 #include "hierarchy/hierarchy.h"
 #include "intersection/nodes.h"
 #include "intersection/single.h"
 #include "objects/hierarchy.h"
 #include "rays/batch.h"
-#include "scene/upload.h"
+#include "scene/device/upload.h"
 #include "shared/node.h"
 #include "support/cases.h"
 #include "traversal/traversal.h"

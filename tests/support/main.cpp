@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "leaks.h"
+#include "crsh/leaks.h"
 #include "support/device.h"
 
 int main(int count, char** arguments) {

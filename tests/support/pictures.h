@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "frame/picture.h"
+#include "crsh/picture.h"
 
 namespace crsh::test {
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/gltf/load.h"
 #include "support/device.h"
 
 namespace crsh::test {

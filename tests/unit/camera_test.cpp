@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "raster/camera.h"
 #include "raster/jitter.h"
 

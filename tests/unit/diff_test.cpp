@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/diff.h"
 #include "output/png.h"
 

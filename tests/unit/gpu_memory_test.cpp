@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "gpu/buffer.h"
 #include "support/device.h"
 

@@ -4,8 +4,8 @@
 
 #include "cli/render_options.h"
 #include "cli/values.h"
-#include "error.h"
-#include "frame/options.h"
+#include "crsh/error.h"
+#include "crsh/options.h"
 
 namespace crsh {
 namespace {

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/exr.h"
 #include "output/memory_stream.h"
 #include "output/whole_file.h"

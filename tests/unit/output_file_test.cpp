@@ -9,7 +9,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/path_pattern.h"
 #include "output/whole_file.h"
 #include "support/temporary_folder.h"

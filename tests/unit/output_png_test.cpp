@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "output/exposure.h"
 #include "output/png.h"
 #include "support/pictures.h"

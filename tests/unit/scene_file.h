@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/gltf/load.h"
 #include "scene/scene.h"
 
 namespace crsh::test {

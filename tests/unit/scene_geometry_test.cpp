@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/gltf/load.h"
 #include "scene_file.h"
 
 using namespace crsh;

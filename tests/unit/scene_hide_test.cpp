@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "scene/hide.h"
 
 namespace crsh::scene {

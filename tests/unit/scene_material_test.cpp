@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "error.h"
+#include "crsh/error.h"
 #include "scene_file.h"
 
 using namespace crsh;

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "frame/statistics.h"
+#include "crsh/statistics.h"
 #include "output/json_text.h"
 #include "output/stats_json.h"
 

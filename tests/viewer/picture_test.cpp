@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "frame/options.h"
+#include "crsh/options.h"
 #include "output/image.h"
 #include "output/whole_file.h"
 #include "viewer/view.h"

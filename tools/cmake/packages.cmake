@@ -1,7 +1,9 @@
-# Every package that the build needs, as one target, crsh_packages. Those without CMake files in every release of
+# Every package that the build needs, as one target, crsh_packages; what crsh-view needs besides, crsh_window_packages. Those without CMake files in every release of
 # Debian are looked for by a header.
 
 add_library(crsh_packages INTERFACE)
+add_library(crsh_window_packages INTERFACE)
+set(packages crsh_packages)  # whom the next packages are for
 
 # Further arguments: folders below the usual ones.
 function(need_header header debian)
@@ -10,7 +12,7 @@ function(need_header header debian)
   if(NOT INCLUDE_${header})
     message(FATAL_ERROR "${header} is missing: install the Debian package ${debian}")
   endif()
-  target_include_directories(crsh_packages SYSTEM INTERFACE ${INCLUDE_${header}})
+  target_include_directories(${packages} SYSTEM INTERFACE ${INCLUDE_${header}})
 endfunction()
 
 function(need_library library debian)
@@ -19,7 +21,7 @@ function(need_library library debian)
   if(NOT LIBRARY_${library})
     message(FATAL_ERROR "lib${library} is missing: install the Debian package ${debian}")
   endif()
-  target_link_libraries(crsh_packages INTERFACE ${LIBRARY_${library}})
+  target_link_libraries(${packages} INTERFACE ${LIBRARY_${library}})
 endfunction()
 
 # `target` is what the package's own CMake file defines.
@@ -30,7 +32,7 @@ macro(need_package package target debian)
   if(NOT TARGET ${target})
     message(FATAL_ERROR "${package} is missing: install the Debian package ${debian}")
   endif()
-  target_link_libraries(crsh_packages INTERFACE ${target})
+  target_link_libraries(${packages} INTERFACE ${target})
 endmacro()
 
 find_program(GLSLANG NAMES glslangValidator glslang)
@@ -47,14 +49,18 @@ need_header(CLI/CLI.hpp libcli11-dev)
 need_header(nlohmann/json.hpp nlohmann-json3-dev)
 need_header(stb_image_write.h libstb-dev stb)
 need_header(zip.h libzip-dev)
-if(EXISTS ${PROJECT_SOURCE_DIR}/src/viewer/main.cpp)
-  # The viewer's: Debian's libimgui is static, holds the GLFW and Vulkan backends, and takes two packers from libstb.
-  need_package(glfw3 glfw libglfw3-dev)
-  need_header(imgui.h libimgui-dev imgui)
-  need_header(imgui_impl_vulkan.h libimgui-dev imgui/backends)
-  need_library(imgui libimgui-dev)
-endif()
 need_library(stb libstb-dev)
 need_library(zip libzip-dev)
 target_link_libraries(crsh_packages INTERFACE ${CMAKE_DL_LIBS})
 target_compile_definitions(crsh_packages INTERFACE GLM_ENABLE_EXPERIMENTAL)
+
+if(CRSH_VIEWER)
+  # Debian's libimgui is static, holds the GLFW and Vulkan backends, and takes two packers from libstb.
+  set(packages crsh_window_packages)
+  need_package(glfw3 glfw libglfw3-dev)
+  need_header(imgui.h libimgui-dev imgui)
+  need_header(imgui_impl_vulkan.h libimgui-dev imgui/backends)
+  need_library(imgui libimgui-dev)
+  target_link_libraries(crsh_window_packages INTERFACE ${LIBRARY_stb})
+  set(packages crsh_packages)
+endif()

@@ -14,7 +14,7 @@ target_include_directories(test_support PUBLIC ${PROJECT_SOURCE_DIR}/tests)
 target_compile_definitions(test_support PUBLIC
   CRSH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CRSH_BUILD_DIR="${CMAKE_BINARY_DIR}")
 set(engine ${built})
-list(REMOVE_ITEM engine crsh_bench crsh_cli crsh_viewer)
+list(FILTER engine EXCLUDE REGEX "^crsh_(bench|cli|gpu_window|viewer.*)$")
 target_link_libraries(test_support PUBLIC ${engine} crsh_flags)
 if(embree_FOUND)
   target_compile_definitions(test_support PUBLIC CRSH_EMBREE=${embree_VERSION_MAJOR})

@@ -1,4 +1,4 @@
-# ${version_file} holds src/version.h's constants; the target look_up_commit writes it. The commit is looked up at every build, and compiled only when it changed.
+# ${version_file} holds src/crsh/version.h's constants; the target look_up_commit writes it. The commit is looked up at every build, and compiled only when it changed.
 # Run as a script (-P) this file is that look-up.
 
 if(CMAKE_SCRIPT_MODE_FILE)
@@ -10,7 +10,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
       set(COMMIT ${hash})
     endif()
   endif()
-  configure_file(${SOURCE}/src/version.cpp.in ${TARGET} @ONLY)  # writes only what differs
+  configure_file(${SOURCE}/src/crsh/version.cpp.in ${TARGET} @ONLY)  # writes only what differs
   return()
 endif()
 

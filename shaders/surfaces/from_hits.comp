@@ -1,0 +1,47 @@
+#version 460
+// The points to shade at k + 1: where the reflection and refraction rays of bounce k hit (section 3.2.6 feeds the next
+// bounce). Lane: a ray, in creation order; it hands on its pixel, and its path by one bit (0 reflected, 1 refracted).
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+layout(local_size_x = 64) in;
+#include "lib/invocation.glsl"
+#include "lib/triangle.glsl"
+#include "shared/ray.h"
+
+layout(push_constant, scalar) uniform Push {
+  uint first_ray;  // of the batch: it becomes surface `first_out`
+  uint count;
+  uint slots;         // a segment of the batch
+  uint first_parent;  // surface of the batch's slot 0
+  uint first_out;
+};
+layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };
+layout(binding = 1, scalar) readonly buffer Slots { uint slot_of[]; };
+layout(binding = 2, scalar) readonly buffer Hits { Hit hits[]; };
+layout(binding = 3, scalar) readonly buffer ParentDiffuses { vec4 parent_diffuse[]; };
+layout(binding = 4, scalar) readonly buffer ParentSpeculars { vec4 parent_specular[]; };
+#define SCENE_BINDING 5
+#include "scene/surface.glsl"
+#define SURFACES_BINDING 18
+#include "surfaces/surfaces.glsl"
+
+void main() {
+  uint i = invocation_index();
+  if (i >= count) return;
+  Ray ray = rays[first_ray + i];
+  uint parent = first_parent + slot_of[first_ray + i] % slots;
+  uint triangle = hits[first_ray + i].words.y;
+  uint pixel = floatBitsToUint(parent_diffuse[parent].w);
+  uint path = floatBitsToUint(parent_specular[parent].w) << 1 | uint(uint(ray.direction.w) == kind_refraction);
+  if (triangle == none) {
+    store_nothing(first_out + i, ray.direction.xyz, pixel, path);
+    return;
+  }
+  vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
+  vec3 weights = barycentrics(ray.origin.xyz, ray.direction.xyz, a, b, c);
+  Material material = material_of(triangle);
+  Surface found = surface_of(material, attributes_at(triangle, weights), point_at(weights, a, b, c),
+                             front_normal(a, b, c), ray.direction.xyz);
+  store_surface(first_out + i, triangle, found, ray.direction.xyz, pixel, path,
+                dielectric_share(material, found.metallic));
+}

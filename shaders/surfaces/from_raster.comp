@@ -1,0 +1,73 @@
+#version 460
+// The points to shade at k = 0: the raster pass's attachments (section 3.1) in the order in which rays are made.
+// Lane: a pixel. Emission, the geometric normal and the side of a solid come from the triangle.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+layout(local_size_x = 64) in;
+#include "lib/invocation.glsl"
+#include "lib/pixel_order.glsl"
+
+layout(push_constant, scalar) uniform Push {
+  vec3 eye;
+  float orthographic;
+  vec3 forward;
+  uint tiles;  // 1: tiles, 0: scanlines
+  uvec2 size;
+  uint first;  // pixel of this order that becomes surface 0
+  uint count;
+};
+layout(binding = 0, rgba32f) readonly uniform image2D positions;
+layout(binding = 1, rgba32f) readonly uniform image2D normals;
+layout(binding = 2, rgba32f) readonly uniform image2D diffuses;
+layout(binding = 3, rgba32f) readonly uniform image2D speculars;
+layout(binding = 4, r32ui) readonly uniform uimage2D ids;
+#define SCENE_BINDING 5
+#include "scene/surface.glsl"
+#define SURFACES_BINDING 18
+#include "surfaces/surfaces.glsl"
+
+/// The material without the textures that the attachments already hold.
+Material emissive_only(Material material) {
+  material.textures.xyw = uvec3(none);
+  return material;
+}
+
+/// What the attachments leave out, from the triangle.
+void complete(inout Surface found, uint triangle, Material material, vec3 incoming) {
+  vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
+  vec3 front = front_normal(a, b, c);
+  found.geometric = turned_normal(front, incoming);
+  found.eta = eta_of(material, meets_front(front, incoming));
+  found.emission = material.emissive_metallic.rgb;
+  if (material.textures.z != none) {
+    Attributes at = attributes_at(triangle, weights_at(found.position, a, b, c));
+    found.emission *= texels_at(emissive_only(material), at).emissive.rgb;
+  }
+}
+
+void main() {
+  uint i = invocation_index();
+  if (i >= count) return;
+  uvec2 pixel = tiles == 1u ? tiled_pixel(first + i, size) : scanline_pixel(first + i, size);
+  ivec2 at = ivec2(pixel);
+  uint number = pixel.y * size.x + pixel.x;
+  uint id = imageLoad(ids, at).x;
+  if (id == 0u) {
+    store_nothing(i, forward, number, 1u);
+    return;
+  }
+  vec4 position = imageLoad(positions, at), normal = imageLoad(normals, at);
+  vec4 diffuse = imageLoad(diffuses, at);
+  vec3 incoming = orthographic == 1.0 ? forward : exact_normalize(position.xyz - eye);
+  Material material = material_of(id - 1u);
+  Surface found;
+  found.position = position.xyz;
+  found.normal = normal.xyz;
+  found.diffuse = diffuse.rgb;
+  found.metallic = diffuse.w;
+  found.specular = imageLoad(speculars, at).rgb;
+  found.roughness = position.w;
+  found.transmission = normal.w;
+  complete(found, id - 1u, material, incoming);
+  store_surface(i, id - 1u, found, incoming, number, 1u, dielectric_share(material, found.metallic));
+}

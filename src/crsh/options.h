@@ -1,0 +1,88 @@
+#pragma once
+// Every option that changes what is rendered or how, with its default: the command line, the viewer and the
+// statistics all speak of this struct.
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "crsh/kinds.h"
+#include "crsh/layers.h"
+
+namespace crsh {
+
+/// --light x,y,z[,candela]
+struct LightOption {
+  bool operator==(const LightOption&) const = default;
+  glm::vec3 position{0};
+  std::optional<float> candela;  ///< none: π·d² ÷ number of such lights
+};
+
+/// --eye --target --up --fov --orthographic
+struct ViewOption {
+  bool operator==(const ViewOption&) const = default;
+  std::optional<glm::vec3> eye, target;
+  glm::vec3 up{0, 1, 0};
+  std::optional<float> fov_degrees;          ///< vertical
+  std::optional<float> orthographic_height;  ///< of the image, metres: rays are parallel
+};
+
+enum class RayOrder { scanline, tiles };
+enum class NodeCut { fixed, cut };
+enum class Fit { merged, all };
+/// What meets the scene: nodes of rays, or single rays; by themselves, or through the object hierarchy.
+enum class Tracing { nodes, brute, single_rays, ray_query };
+
+/// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
+struct AlgorithmOptions {
+  bool operator==(const AlgorithmOptions&) const = default;
+  std::string preset = "crsh-bvh";
+  Tracing tracing = Tracing::nodes;  ///< brute: every ray against every triangle. Unless nodes: no switch matters
+  bool object_hierarchy = false;     ///< there is one over the triangles (objects/)
+  std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
+  RayOrder ray_order = RayOrder::scanline;
+  bool compression = true;
+  NodeCut nodes = NodeCut::fixed;
+  float cut_angle = 0.1f;  ///< radians: cut level-1 nodes end where rays are farther from the first
+  float cut_distance = 4;  ///< of the scene's longest edge: so does the distance of their origins
+  float least_rays =
+      2;  ///< where cut nodes would hold fewer, unsorted and on average, rays go one by one (object_hierarchy)
+  uint32_t arity = 8;
+  std::array<uint32_t, kind_count> levels = {2, 2, 2};
+  std::string bound = "sphere-cone";
+  Fit fit = Fit::all;
+  bool interval = true;
+  bool mesh_culling = true;
+  bool mixed_batches = true;  ///< ray kinds of a bounce are sorted and bundled together
+};
+
+/// The preset of this name: one of preset_names(), or ray_query_preset. Throws UserError that lists them for any other.
+[[nodiscard]] AlgorithmOptions preset(const std::string& name);
+/// Names of the presets that give the same picture bit for bit on every device, in the order in which tables show them.
+[[nodiscard]] const std::vector<std::string>& preset_names();
+/// Throws UserError where switches do not go together.
+void require_sound(const AlgorithmOptions& options);
+/// The preset that only devices with ray queries have, and whose picture is the same within a tolerance.
+inline constexpr const char* ray_query_preset = "ray-query";
+
+struct RenderOptions {
+  bool operator==(const RenderOptions&) const = default;
+  uint32_t width = 0, height = 512;  ///< width 0: from the camera's aspect
+  uint32_t samples = 1, seed = 0, bounces = 4;
+  std::optional<glm::vec3> background = glm::vec3(0);  ///< none: transparent
+  std::string scene, camera, animation;                ///< index or name; empty: the default
+  ViewOption view;
+  std::vector<std::string> hidden;  ///< instances that are left out, by index or name (scene/hide.h)
+  std::vector<LightOption> lights;  ///< not empty: they replace the file's
+  std::array<bool, kind_count> rays = {true, true, true};
+  bool override_mirror = false;
+  LayerSet layers = default_layers;  ///< of the picture, besides the beauty
+  AlgorithmOptions algorithm = preset("crsh-bvh");
+  uint64_t submit_work = uint64_t(1) << 26;  ///< tests a submit
+  std::optional<std::string> mutation;       ///< test-only: a fault to switch on (tests/README.md)
+};
+
+}  // namespace crsh

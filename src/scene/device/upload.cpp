@@ -1,0 +1,179 @@
+#include "scene/device/upload.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "crsh/error.h"
+#include "scene/device/device_materials.h"
+#include "shared/limits.h"
+#include "shared/scene.h"
+
+namespace crsh::scene {
+namespace {
+
+/// Where each mesh's triangles begin among the stored ones, in the order of the meshes.
+std::vector<uint32_t> first_triangles(const Scene& scene) {
+  std::vector<uint32_t> first;
+  uint32_t next = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    first.push_back(next);
+    next += uint32_t(mesh.triangles.size());
+  }
+  return first;
+}
+
+/// One line where `count` elements of `size` bytes do not fit a binding.
+void require_binding(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t size, const char* what) {
+  const uint64_t most = device.limits().max_binding / size;
+  if (count <= most) return;
+  throw UserError(
+      fmt::format("{}: {} {}, and {} holds at most {} in one buffer: leave some out, or choose another --device",
+                  scene.path.string(), count, what, device.info().name, most));
+}
+
+void require_bindings(const gpu::Device& device, const Scene& scene) {
+  uint64_t vertices = 0, triangles = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    vertices += mesh.positions.size();
+    triangles += mesh.triangles.size();
+  }
+  require_binding(device, scene, vertices, sizeof(shared::Vertex), "vertices");
+  require_binding(device, scene, triangles, sizeof(glm::uvec4), "triangles");
+  require_binding(device, scene, scene.triangle_count(), sizeof(glm::vec4), "drawn triangles");
+  require_binding(device, scene, scene.instances.size(), sizeof(shared::Instance), "objects");
+}
+
+void upload_meshes(gpu::Device& device, const Scene& scene, GpuScene& out) {
+  std::vector<glm::vec3> positions;
+  std::vector<shared::Vertex> vertices;
+  std::vector<glm::uvec4> triangles;
+  for (const Mesh& mesh : scene.meshes) {
+    const glm::uvec3 base(uint32_t(positions.size()));
+    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+      triangles.emplace_back(mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]));
+    positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+    for (size_t v = 0; v < mesh.positions.size(); ++v)
+      vertices.push_back({mesh.normals[v], mesh.colours[v], mesh.uv0[v], mesh.uv1[v]});
+  }
+  out.positions = gpu::upload(device, positions, "positions");
+  out.vertices = gpu::upload(device, vertices, "vertices");
+  out.triangles = gpu::upload(device, triangles, "triangles");
+}
+
+/// Instances expanded: drawn triangles, and the blocks that the top level of the traversal takes them in.
+void upload_instances(gpu::Device& device, const Scene& scene, GpuScene& out) {
+  const std::vector<uint32_t> first = first_triangles(scene);
+  std::vector<shared::Source> sources;
+  std::vector<glm::uvec4> blocks;
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const uint32_t mesh = scene.instances[i].mesh, drawn = uint32_t(sources.size());
+    const uint32_t count = uint32_t(scene.meshes[mesh].triangles.size());
+    for (uint32_t t = 0; t < count; ++t) sources.push_back({i, first[mesh] + t});
+    for (uint32_t t = 0; t < count; t += shared::block_triangles)
+      blocks.emplace_back(i, drawn + t, std::min(shared::block_triangles, count - t), 0);
+  }
+  out.triangle_count = uint32_t(sources.size());
+  out.instance_count = uint32_t(scene.instances.size());
+  out.block_count = uint32_t(blocks.size());
+  out.sources = gpu::upload(device, sources, "sources");
+  out.blocks = gpu::upload(device, blocks, "triangle blocks");
+}
+
+void upload_materials(gpu::Device& device, const Scene& scene, GpuScene& out) {
+  DeviceMaterials all = device_materials(scene, device.limits().max_binding / sizeof(uint32_t));
+  out.materials = gpu::upload(device, all.materials, "materials");
+  out.textures = gpu::upload(device, all.textures, "textures");
+  for (size_t page = 0; page < texel_page_count; ++page)
+    out.texels[page] = gpu::upload(device, all.texels.pages[page], "texels");
+  out.notes = std::move(all.texels.notes);
+}
+
+/// Moved by animate(): room for all.
+void reserve_moved(gpu::Device& device, GpuScene& out) {
+  const uint64_t corners = std::max(out.triangle_count, 1u) * uint64_t(sizeof(glm::vec4));
+  out.corner_a.reserve(device, corners, "corners a");
+  out.corner_b.reserve(device, corners, "corners b");
+  out.corner_c.reserve(device, corners, "corners c");
+  out.triangle_spheres.reserve(device, corners, "triangle spheres");
+  const uint64_t instances = std::max(out.instance_count, 1u);
+  out.instances.reserve(device, instances * sizeof(shared::Instance), "instances");
+  out.object_spheres.reserve(device, instances * sizeof(glm::vec4), "object spheres");
+}
+
+glm::vec4 row(const glm::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
+
+/// The cofactors turn normals, also where the matrix has no inverse; a mirrored instance's are negated, so that
+/// normals stay on the side that its swapped corners face.
+shared::Instance device_instance(const glm::mat4& m) {
+  const glm::vec3 x(m[0]), y(m[1]), z(m[2]);
+  const bool mirrored = glm::dot(glm::dvec3(x), glm::cross(glm::dvec3(y), glm::dvec3(z))) < 0;
+  const float sign = mirrored ? -1.0f : 1.0f;
+  const float largest = std::max({glm::length(x), glm::length(y), glm::length(z), 1e-30f});
+  const glm::vec3 unit_x = x / largest, unit_y = y / largest, unit_z = z / largest;
+  const glm::mat3 cofactors(glm::cross(unit_y, unit_z) * sign, glm::cross(unit_z, unit_x) * sign,
+                            glm::cross(unit_x, unit_y) * sign);
+  const glm::mat3 rows = glm::transpose(cofactors);
+  return {row(m, 0),
+          row(m, 1),
+          row(m, 2),
+          glm::vec4(rows[0], mirrored ? 1.0f : 0.0f),
+          glm::vec4(rows[1], 0),
+          glm::vec4(rows[2], 0)};
+}
+
+void include(Bounds& bounds, const Sphere& sphere) {
+  bounds.low = glm::min(bounds.low, sphere.centre - sphere.radius);
+  bounds.high = glm::max(bounds.high, sphere.centre + sphere.radius);
+}
+
+template <class T>
+void write(gpu::Device& device, gpu::Buffer& target, const std::vector<T>& values) {
+  if (!values.empty()) gpu::upload_bytes(device, target, 0, values.data(), values.size() * sizeof(T));
+}
+
+void move_objects(gpu::Device& device, GpuScene& target, const Scene& scene, const Pose& pose) {
+  std::vector<shared::Instance> instances;
+  std::vector<glm::vec4> spheres;
+  target.bounds = {};
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const Sphere sphere = transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
+    instances.push_back(device_instance(pose.instances[i]));
+    spheres.emplace_back(sphere.centre, sphere.radius);
+    if (sphere.radius > 0) include(target.bounds, sphere);
+  }
+  write(device, target.instances, instances);
+  write(device, target.object_spheres, spheres);
+}
+
+void move_lights(gpu::Device& device, GpuScene& target, const Scene& scene, const Pose& pose, const LightRig& rig) {
+  const std::vector<shared::Light> lights = world_lights(scene, pose, rig, target.bounds);
+  require_binding(device, scene, lights.size(), sizeof(shared::Light), "lights");
+  target.light_count = uint32_t(lights.size());
+  target.lights.reserve(device, std::max(lights.size(), size_t(1)) * sizeof(shared::Light), "lights");
+  write(device, target.lights, lights);
+}
+
+}  // namespace
+
+GpuScene upload(gpu::Device& device, const Scene& scene) {
+  require_bindings(device, scene);
+  GpuScene out;
+  upload_meshes(device, scene, out);
+  upload_instances(device, scene, out);
+  upload_materials(device, scene, out);
+  reserve_moved(device, out);
+  return out;
+}
+
+void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, const Pose& pose, const LightRig& lights) {
+  recorder.submit();  // nothing recorded may still need what is overwritten now
+  move_objects(recorder.device(), target, scene, pose);
+  move_lights(recorder.device(), target, scene, pose, lights);
+  const struct { uint32_t count; } push{target.triangle_count};
+  recorder.dispatch("scene/animate", target.triangle_count, push,
+                    {target.sources, target.triangles, target.positions, target.instances, target.corner_a,
+                     target.corner_b, target.corner_c, target.triangle_spheres});
+}
+
+}  // namespace crsh::scene

@@ -1,0 +1,49 @@
+#pragma once
+// A scene on the device: what stays, and what every frame moves (section 3.2.1).
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/recorder.h"
+#include "scene/device/texel_pages.h"
+#include "scene/device/world_lights.h"
+#include "scene/scene.h"
+
+namespace crsh::scene {
+
+/// The scene's tables (shaders/scene/tables.glsl). Drawn triangles are numbered instance by instance. Every buffer can
+/// be bound, also where it stands for an empty list.
+struct GpuScene {
+  // From upload().
+  gpu::Buffer positions;  ///< vec3 a stored vertex, object space
+  gpu::Buffer vertices;   ///< shared::Vertex a stored vertex
+  gpu::Buffer triangles;  ///< uvec4 a stored triangle: its vertices, and its material with the flags of shared/scene.h
+  gpu::Buffer sources;    ///< shared::Source a drawn triangle
+  gpu::Buffer materials;  ///< shared::Material
+  gpu::Buffer textures;   ///< shared::Texture
+  std::array<gpu::Buffer, texel_page_count> texels;  ///< RGBA8 a word
+  gpu::Buffer blocks;           ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
+  uint32_t triangle_count = 0;  ///< drawn
+  uint32_t instance_count = 0, block_count = 0;
+  std::vector<std::string> notes;  ///< for stderr
+
+  // From animate().
+  gpu::Buffer instances;                     ///< shared::Instance
+  gpu::Buffer corner_a, corner_b, corner_c;  ///< vec4 a drawn triangle, world space (shared/scene.h)
+  gpu::Buffer triangle_spheres;              ///< vec4 a drawn triangle: centre and padded radius of its smallest sphere
+  gpu::Buffer object_spheres;  ///< vec4 an instance: centre and radius, outside of all its triangles' spheres
+  gpu::Buffer lights;          ///< shared::Light
+  uint32_t light_count = 0;
+  Bounds bounds;  ///< of all object spheres in this pose
+};
+
+/// Throws UserError where a list outgrows what the device can bind, and gpu::OutOfMemory.
+[[nodiscard]] GpuScene upload(gpu::Device& device, const Scene& scene);
+
+/// Section 3.2.1: moves triangles, spheres and lights to where they are in this pose. Submits what is recorded.
+void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, const Pose& pose, const LightRig& lights);
+
+}  // namespace crsh::scene

@@ -1,0 +1,91 @@
+#include "scene/device/world_lights.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace crsh::scene {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+glm::vec3 centre_of(const Bounds& bounds) { return bounds.empty() ? glm::vec3(0) : (bounds.low + bounds.high) * 0.5f; }
+float radius_of(const Bounds& bounds) { return bounds.empty() ? 1.0f : glm::length(bounds.high - bounds.low) * 0.5f; }
+
+shared::Light point_light(glm::vec3 position, glm::vec3 intensity) {
+  return {glm::vec4(position, float(shared::light_point)), glm::vec4(0, 0, -1, infinity), glm::vec4(intensity, 0),
+          glm::vec4(0, 1, 0, 0)};
+}
+
+std::string as_option(glm::vec3 at, float candela) {
+  return fmt::format("--light {},{},{},{}", at.x, at.y, at.z, candela);
+}
+
+/// Lights the scene's middle with π lux, whatever its scale: white walls there come out at 1 cd/m2.
+float default_candela(float distance, size_t count) {
+  return float(std::numbers::pi * double(distance) * distance / double(count));
+}
+
+LightRig rig_of_options(std::span<const LightOption> options, const Bounds& bounds) {
+  LightRig rig;
+  for (const LightOption& option : options) {
+    const float candela =
+        option.candela.value_or(default_candela(glm::distance(option.position, centre_of(bounds)), options.size()));
+    rig.fixed.push_back(point_light(option.position, glm::vec3(candela)));
+    if (!option.candela) rig.notes.push_back(as_option(option.position, candela));
+  }
+  return rig;
+}
+
+/// Above and to the right of the eye, a tenth of the way to the middle of the scene away from it.
+LightRig rig_of_default(const Bounds& bounds, const Viewpoint& viewpoint) {
+  const float away = std::max(glm::distance(viewpoint.eye, centre_of(bounds)), radius_of(bounds) * 0.5f);
+  const glm::vec3 at = viewpoint.eye + (viewpoint.right + viewpoint.up) * (0.1f * away);
+  const float candela = default_candela(away, 1);
+  return {{point_light(at, glm::vec3(candela))}, {"the scene has no light: " + as_option(at, candela)}};
+}
+
+glm::vec3 shines_along(const glm::mat4& transform) {
+  const glm::vec3 axis = -glm::vec3(transform[2]);
+  const float length = glm::length(axis);
+  return length > 0 && std::isfinite(length) ? axis / length : glm::vec3(0, 0, -1);
+}
+
+/// Scale and offset of the angular attenuation, as KHR_lights_punctual suggests; 0 and 1 do nothing.
+glm::vec4 cone_of(const Light& light) {
+  if (light.type != LightType::spot) return {0, 1, 0, 0};
+  const float scale = 1 / std::max(0.001f, std::cos(light.inner_cone) - std::cos(light.outer_cone));
+  return {scale, -std::cos(light.outer_cone) * scale, 0, 0};
+}
+
+shared::Light world_light(const Light& light, const glm::mat4& transform, const Bounds& bounds) {
+  const glm::vec3 direction = shines_along(transform);
+  const bool parallel = light.type == LightType::directional;
+  const glm::vec3 outside = centre_of(bounds) - direction * (radius_of(bounds) * 1.01f);
+  return {glm::vec4(parallel ? outside : glm::vec3(transform[3]), float(light.type)),
+          glm::vec4(direction, parallel ? infinity : light.range), glm::vec4(light.colour * light.intensity, 0),
+          cone_of(light)};
+}
+
+}  // namespace
+
+LightRig resolve_lights(const Scene& scene, std::span<const LightOption> options, const Bounds& bounds,
+                        const Viewpoint& viewpoint) {
+  if (!options.empty()) return rig_of_options(options, bounds);
+  if (!scene.lights.empty()) return {};
+  return rig_of_default(bounds, viewpoint);
+}
+
+std::vector<shared::Light> world_lights(const Scene& scene, const Pose& pose, const LightRig& rig,
+                                        const Bounds& bounds) {
+  if (!rig.fixed.empty()) return rig.fixed;
+  std::vector<shared::Light> lights;
+  for (size_t i = 0; i < scene.lights.size(); ++i)
+    lights.push_back(world_light(scene.lights[i], pose.lights[i], bounds));
+  return lights;
+}
+
+}  // namespace crsh::scene

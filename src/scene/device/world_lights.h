@@ -1,0 +1,34 @@
+#pragma once
+// Lights in world space, as shaders see them.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "crsh/options.h"
+#include "scene/scene.h"
+#include "shared/scene.h"
+
+namespace crsh::scene {
+
+/// Which lights a run uses, settled once, for all its frames.
+struct LightRig {
+  std::vector<shared::Light> fixed;  ///< from --light, or the default light; empty: the file's, which nodes carry
+  std::vector<std::string> notes;    ///< for stderr: intensities that were chosen, as pasteable options
+};
+
+/// Where the eye is and what it calls right and up, for the light of a scene that has none.
+struct Viewpoint {
+  glm::vec3 eye{0}, right{1, 0, 0}, up{0, 1, 0};
+};
+
+/// `bounds`: the scene's at time 0. A --light without intensity gets π·d² ÷ their number candela, d from the centre of
+/// the bounds. Without --light and without lights in the file, one light hangs beside the viewpoint.
+[[nodiscard]] LightRig resolve_lights(const Scene& scene, std::span<const LightOption> options, const Bounds& bounds,
+                                      const Viewpoint& viewpoint);
+
+/// The rig's lights in this pose. `bounds` hold all geometry: a directional light's rays start outside of them.
+[[nodiscard]] std::vector<shared::Light> world_lights(const Scene& scene, const Pose& pose, const LightRig& rig,
+                                                      const Bounds& bounds);
+
+}  // namespace crsh::scene

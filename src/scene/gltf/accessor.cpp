@@ -1,0 +1,190 @@
+#include "scene/gltf/accessor.h"
+
+#include <algorithm>
+#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "scene/gltf/fault.h"
+
+namespace crsh::scene {
+
+namespace {
+
+// An accessor without data stands for zeros: the one way to ask for much memory with few bytes.
+constexpr uint64_t most_zeros = uint64_t{1} << 24u;
+constexpr uint64_t longest_stride = 65535;
+
+uint32_t components_of(const std::string& type, const std::string& where) {
+  constexpr std::pair<std::string_view, uint32_t> types[] = {
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+  for (const auto& [name, components] : types)
+    if (type == name) return components;
+  throw Fault(where + ".type " + in_quotes(type, 20) + " is not known here");
+}
+
+Component component_of(uint64_t code, const std::string& name) {
+  switch (code) {
+    case 5120:
+    case 5121:
+    case 5122:
+    case 5123:
+    case 5125:
+    case 5126: return static_cast<Component>(code);
+    default: throw Fault(name + " " + std::to_string(code) + " is none of glTF's");
+  }
+}
+
+uint32_t size_of(Component component) {
+  switch (component) {
+    case Component::i8:
+    case Component::u8: return 1;
+    case Component::i16:
+    case Component::u16: return 2;
+    default: return 4;
+  }
+}
+
+template <class T>
+T load_as(const uint8_t* bytes) {
+  T out;
+  std::memcpy(&out, bytes, sizeof out);
+  return out;
+}
+
+uint32_t unsigned_at(const uint8_t* bytes, Component component) {
+  switch (component) {
+    case Component::u8: return *bytes;
+    case Component::u16: return load_as<uint16_t>(bytes);
+    default: return load_as<uint32_t>(bytes);
+  }
+}
+
+/// glTF 2.0, section 3.11: c / max, signed ones not below -1.
+template <class T>
+float normalised(T c) {
+  return std::max(static_cast<float>(c) / static_cast<float>(std::numeric_limits<T>::max()), -1.0f);
+}
+
+bool is_index_type(Component component) {
+  return component == Component::u8 || component == Component::u16 || component == Component::u32;
+}
+
+/// `count` elements of `size` bytes, `stride` apart, from `offset` on: a Fault unless `view` holds them all.
+std::span<const uint8_t> range(std::span<const uint8_t> view, uint64_t offset, uint64_t count, uint64_t stride,
+                               uint64_t size, const std::string& where) {
+  if (offset > view.size()) throw Fault(where + " starts past the end of its bufferView");
+  if (count > 0 && (count - 1) * stride + size > view.size() - offset)
+    throw Fault(where + " reaches past the end of its bufferView");
+  return view.subspan(offset);
+}
+
+}  // namespace
+
+Accessor::Accessor(Document& document, uint64_t index) {
+  const Fields fields = document.root().element("accessors", index);
+  where_ = fields.where();
+  count_ = fields.needed_whole("count");
+  components_ = components_of(fields.text("type"), where_);
+  component_ = component_of(fields.needed_whole("componentType"), fields.name_of("componentType"));
+  normalised_ = fields.flag("normalized", false);
+  size_ = components_ * size_of(component_);
+  read_dense(document, fields);
+  if (const std::optional<Fields> sparse = fields.object("sparse")) substitute(document, fields, *sparse);
+}
+
+void Accessor::read_dense(Document& document, const Fields& fields) {
+  stride_ = size_;
+  if (const std::optional<uint64_t> view = fields.whole("bufferView")) {
+    stride_ = document.root().element("bufferViews", *view).whole("byteStride", size_);
+    if (stride_ < size_ || stride_ > longest_stride)
+      throw Fault(where_ + " does not fit the byteStride of its bufferView");
+    data_ = range(document.view(*view), fields.whole("byteOffset", 0), count_, stride_, size_, where_);
+    return;
+  }
+  if (count_ > most_zeros) throw Fault(where_ + " has " + std::to_string(count_) + " elements but no data");
+  document.spend(count_);
+  owned_.resize(count_ * size_);
+  data_ = owned_;
+}
+
+void Accessor::copy_tightly(Document& document) {
+  if (!owned_.empty()) return;
+  document.spend(count_);
+  Bytes copy(count_ * size_);
+  for (uint64_t i = 0; i < count_; ++i) std::memcpy(copy.data() + i * size_, element(i), size_);
+  owned_ = std::move(copy);
+  stride_ = size_;
+  data_ = owned_;
+}
+
+void Accessor::substitute(Document& document, const Fields& fields, const Fields& sparse) {
+  const std::optional<Fields> indices = sparse.object("indices"), values = sparse.object("values");
+  if (!indices || !values) throw Fault(sparse.where() + " lacks its indices or values");
+  const uint64_t many = sparse.needed_whole("count");
+  if (many > count_) throw Fault(sparse.where() + " has more elements than " + fields.where());
+  const Component type = component_of(indices->needed_whole("componentType"), indices->name_of("componentType"));
+  if (!is_index_type(type)) throw Fault(indices->name_of("componentType") + " is not an unsigned integer");
+  const uint32_t step = size_of(type);
+  const auto places = range(document.view(indices->needed_whole("bufferView")), indices->whole("byteOffset", 0), many,
+                            step, step, indices->where());
+  const auto news = range(document.view(values->needed_whole("bufferView")), values->whole("byteOffset", 0), many,
+                          size_, size_, values->where());
+  copy_tightly(document);
+  for (uint64_t i = 0; i < many; ++i) {
+    const uint32_t place = unsigned_at(places.data() + i * step, type);
+    if (place >= count_) throw Fault(indices->where() + " names an element that " + fields.where() + " does not have");
+    std::memcpy(owned_.data() + place * size_, news.data() + i * size_, size_);
+  }
+}
+
+float Accessor::value(const uint8_t* bytes) const {
+  switch (component_) {
+    case Component::i8: {
+      const auto c = load_as<int8_t>(bytes);
+      return normalised_ ? normalised(c) : static_cast<float>(c);
+    }
+    case Component::u8: return normalised_ ? normalised(*bytes) : static_cast<float>(*bytes);
+    case Component::i16: {
+      const auto c = load_as<int16_t>(bytes);
+      return normalised_ ? normalised(c) : static_cast<float>(c);
+    }
+    case Component::u16: {
+      const auto c = load_as<uint16_t>(bytes);
+      return normalised_ ? normalised(c) : static_cast<float>(c);
+    }
+    case Component::u32: return static_cast<float>(load_as<uint32_t>(bytes));
+    default: return load_as<float>(bytes);
+  }
+}
+
+glm::vec4 Accessor::at(uint64_t i) const {
+  glm::vec4 out{0};
+  const uint32_t step = size_of(component_);
+  const uint8_t* bytes = element(i);
+  for (uint32_t c = 0; c < std::min(components_, 4u); ++c) out[static_cast<int>(c)] = value(bytes + c * step);
+  return out;
+}
+
+uint32_t Accessor::integer_at(uint64_t i) const { return unsigned_at(element(i), component_); }
+
+glm::mat4 Accessor::matrix_at(uint64_t i) const {
+  float values[16] = {};
+  const uint32_t step = size_of(component_);
+  for (uint32_t c = 0; c < std::min(components_, 16u); ++c) values[c] = value(element(i) + c * step);
+  return glm::make_mat4(values);
+}
+
+void Accessor::need_components(std::initializer_list<uint32_t> allowed) const {
+  if (std::find(allowed.begin(), allowed.end(), components_) == allowed.end())
+    throw Fault(where_ + " has the wrong type for its use");
+}
+
+void Accessor::need_indices() const {
+  if (components_ != 1 || !is_index_type(component_) || normalised_)
+    throw Fault(where_ + " is used as indices but does not hold unsigned whole numbers");
+}
+
+}  // namespace crsh::scene

@@ -1,0 +1,187 @@
+#include "scene/gltf/mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "scene/bounding.h"
+#include "scene/gltf/accessor.h"
+
+namespace crsh::scene {
+
+namespace {
+
+constexpr uint32_t unused = 0xFFFFFFFFu;
+constexpr uint64_t triangle_cost = 16;  // in units of Document::spend: 67 million triangles, some 7 GiB, are too many
+constexpr float farthest = 1e15f;       // metres; squares and products stay within float
+
+enum Mode : uint64_t { triangles = 4, strip = 5, fan = 6 };
+constexpr std::array attribute_names = {"POSITION", "NORMAL", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
+
+/// The accessors of a primitive's attributes, in the order of attribute_names. Primitives with the same share vertices.
+using Layout = std::array<std::optional<uint64_t>, attribute_names.size()>;
+
+uint32_t packed(const glm::vec4& colour) {
+  uint32_t out = 0;
+  for (int c = 0; c < 4; ++c) {
+    const float value = colour[c] >= 0 ? std::min(colour[c], 1.0f) : 0.0f;  // also NaN becomes 0
+    out |= static_cast<uint32_t>(value * 255.0f + 0.5f) << static_cast<unsigned>(8 * c);
+  }
+  return out;
+}
+
+glm::vec3 unit_or_zero(const glm::vec3& v) {
+  const double length = glm::length(glm::dvec3(v));
+  return std::isfinite(length) && length > 0 ? glm::vec3(glm::dvec3(v) / length) : glm::vec3(0);
+}
+
+glm::vec2 finite_or_zero(const glm::vec4& v) {
+  return {std::isfinite(v.x) ? v.x : 0.0f, std::isfinite(v.y) ? v.y : 0.0f};
+}
+
+/// The vertices of one layout, copied to the mesh when a triangle first uses them.
+class Vertices {
+ public:
+  Vertices(Document& document, const Layout& layout) {
+    for (size_t a = 0; a < layout.size(); ++a)
+      if (layout[a]) sources_[a].emplace(document, *layout[a]);
+    check();
+    document.spend(count());
+    kept_.assign(count(), unused);
+  }
+
+  [[nodiscard]] uint64_t count() const { return sources_[0]->count(); }
+
+  /// The mesh's vertex for vertex i of the file.
+  uint32_t vertex(Mesh& mesh, uint64_t i, const std::string& where) {
+    if (i >= count()) throw Fault(where + " has an index past the end of its vertices");
+    if (kept_[i] == unused) kept_[i] = append(mesh, i);
+    return kept_[i];
+  }
+
+ private:
+  void check() const {
+    for (size_t a = 0; a < sources_.size(); ++a) {
+      if (!sources_[a]) continue;
+      if (a == 0 || a == 1) sources_[a]->need_components({3});
+      if (a == 2 || a == 3) sources_[a]->need_components({2});
+      if (a == 4) sources_[a]->need_components({3, 4});
+      if (sources_[a]->count() != count())
+        throw Fault(sources_[a]->where() + " has not as many elements as the positions");
+    }
+  }
+
+  uint32_t append(Mesh& mesh, uint64_t i) const {
+    const glm::vec3 position(sources_[0]->at(i));
+    for (int c = 0; c < 3; ++c)
+      if (!(std::abs(position[c]) <= farthest))
+        throw Fault(sources_[0]->where() + " has a position that is not finite");
+    const auto optional = [i](const std::optional<Accessor>& source) { return source ? source->at(i) : glm::vec4(0); };
+    mesh.positions.push_back(position);
+    mesh.normals.push_back(unit_or_zero(glm::vec3(optional(sources_[1]))));
+    mesh.uv0.push_back(finite_or_zero(optional(sources_[2])));
+    mesh.uv1.push_back(finite_or_zero(optional(sources_[3])));
+    mesh.colours.push_back(colour(i));
+    return static_cast<uint32_t>(mesh.positions.size() - 1);
+  }
+
+  [[nodiscard]] uint32_t colour(uint64_t i) const {
+    if (!sources_[4]) return 0xFFFFFFFFu;
+    glm::vec4 value = sources_[4]->at(i);
+    if (sources_[4]->components() == 3) value.a = 1;
+    return packed(value);
+  }
+
+  std::array<std::optional<Accessor>, attribute_names.size()> sources_;
+  std::vector<uint32_t> kept_;
+};
+
+/// The corners of triangle t of a list, strip or fan (glTF 2.0, section 3.7.2.1).
+std::array<uint64_t, 3> corners(uint64_t mode, uint64_t t) {
+  if (mode == strip) return {t, t + 1 + t % 2, t + 2 - t % 2};
+  if (mode == fan) return {t + 1, t + 2, 0};
+  return {3 * t, 3 * t + 1, 3 * t + 2};
+}
+
+class MeshReader {
+ public:
+  MeshReader(Document& document, Notes& notes, uint32_t default_material)
+      : document_(document), notes_(notes), default_material_(default_material) {}
+
+  void add(const Fields& primitive) {
+    note_what_is_left_out(primitive);
+    const std::optional<Layout> layout = layout_of(primitive);
+    const uint64_t mode = primitive.whole("mode", triangles);
+    if (mode > fan) throw Fault(primitive.name_of("mode") + " is none of glTF's");
+    if (mode < triangles) return notes_.add("points and lines");
+    if (!layout) return notes_.add("primitives without positions");
+    auto found = blocks_.find(*layout);
+    if (found == blocks_.end()) found = blocks_.try_emplace(*layout, document_, *layout).first;
+    append_triangles(primitive, found->second, mode);
+    mesh.materials.resize(mesh.triangles.size(), material_of(primitive));
+  }
+
+  Mesh mesh;
+
+ private:
+  std::optional<Layout> layout_of(const Fields& primitive) const {
+    const std::optional<Fields> attributes = primitive.object("attributes");
+    if (!attributes) throw Fault(primitive.name_of("attributes") + " is missing");
+    Layout layout;
+    for (size_t a = 0; a < layout.size(); ++a) layout[a] = attributes->whole(attribute_names[a]);
+    return layout[0] ? std::optional(layout) : std::nullopt;
+  }
+
+  void note_what_is_left_out(const Fields& primitive) {
+    if (primitive.size("targets") > 0) notes_.add("morph targets (drawn without them)");
+    const std::optional<Fields> attributes = primitive.object("attributes");
+    if (attributes && attributes->has("COLOR_1")) notes_.add("vertex colours past COLOR_0");
+  }
+
+  uint32_t material_of(const Fields& primitive) const {
+    const std::optional<uint64_t> material = primitive.whole("material");
+    if (material && *material >= default_material_) throw Fault(primitive.name_of("material") + " is not in the file");
+    return material ? static_cast<uint32_t>(*material) : default_material_;
+  }
+
+  void append_triangles(const Fields& primitive, Vertices& vertices, uint64_t mode) {
+    std::optional<Accessor> indices;
+    if (const std::optional<uint64_t> accessor = primitive.whole("indices")) {
+      indices.emplace(document_, *accessor);
+      indices->need_indices();
+    }
+    const uint64_t corner_count = indices ? indices->count() : vertices.count();
+    const uint64_t many = mode == triangles ? corner_count / 3 : corner_count - std::min<uint64_t>(corner_count, 2);
+    document_.spend(many * triangle_cost);
+    for (uint64_t t = 0; t < many; ++t) {
+      glm::uvec3 triangle;
+      const std::array<uint64_t, 3> places = corners(mode, t);
+      for (size_t c = 0; c < 3; ++c)
+        triangle[static_cast<int>(c)] =
+            vertices.vertex(mesh, indices ? indices->integer_at(places[c]) : places[c], primitive.where());
+      mesh.triangles.push_back(triangle);
+    }
+  }
+
+  Document& document_;
+  Notes& notes_;
+  uint32_t default_material_;
+  std::map<Layout, Vertices> blocks_;
+};
+
+}  // namespace
+
+Mesh read_mesh(Document& document, uint64_t index, uint32_t default_material, Notes& notes) {
+  const Fields fields = document.root().element("meshes", index);
+  MeshReader reader(document, notes, default_material);
+  reader.mesh.name = fields.text("name");
+  if (fields.size("primitives") == 0) throw Fault(fields.name_of("primitives") + " is missing");
+  for (size_t i = 0; i < fields.size("primitives"); ++i) reader.add(fields.element("primitives", i));
+  fill_bounds(reader.mesh);
+  return std::move(reader.mesh);
+}
+
+}  // namespace crsh::scene

@@ -1,0 +1,16 @@
+#pragma once
+// glTF meshes, their triangle primitives merged.
+
+#include <cstdint>
+
+#include "scene/gltf/document.h"
+#include "scene/gltf/fault.h"
+#include "scene/scene.h"
+
+namespace crsh::scene {
+
+/// Reads glTF mesh `index`. Triangles carry glTF's material indices (`default_material` where they have none);
+/// only vertices that a triangle uses are kept. A mesh of points or lines alone has no triangles.
+[[nodiscard]] Mesh read_mesh(Document& document, uint64_t index, uint32_t default_material, Notes& notes);
+
+}  // namespace crsh::scene

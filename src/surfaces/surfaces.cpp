@@ -1,0 +1,102 @@
+#include "surfaces/surfaces.h"
+
+#include "crsh/assertion.h"
+#include "primitives/grow.h"
+
+namespace crsh::surfaces {
+namespace {
+
+/// As surfaces/from_raster.comp declares it.
+struct RasterPush {
+  glm::vec3 eye;
+  float orthographic;
+  glm::vec3 forward;
+  uint32_t tiles;
+  glm::uvec2 size;
+  uint32_t first, count;
+};
+
+/// As surfaces/from_hits.comp declares it.
+struct HitsPush {
+  uint32_t first_ray, count, slots, first_parent, first_out;
+};
+
+constexpr uint64_t word_bytes = sizeof(glm::vec4);
+
+void clear_direct(gpu::Recorder& recorder, Generation& generation, uint32_t first, uint32_t count) {
+  recorder.fill(generation.direct, 0, uint64_t(count) * 4, uint64_t(first) * 4);
+}
+
+}  // namespace
+
+void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation, uint32_t count) {
+  const uint64_t bytes = count * word_bytes;
+  primitives::grow(recorder, surfaces.position, bytes, "surface positions");
+  primitives::grow(recorder, surfaces.normal, bytes, "surface normals");
+  primitives::grow(recorder, surfaces.geometric, bytes, "geometric normals");
+  primitives::grow(recorder, surfaces.incoming, bytes, "incoming directions");
+  primitives::grow(recorder, surfaces.diffuse, bytes, "diffuse properties");
+  primitives::grow(recorder, surfaces.specular, bytes, "specular properties");
+  primitives::grow(recorder, generation.emission, bytes, "emission");
+  primitives::grow(recorder, generation.direct, bytes, "direct light");
+}
+
+void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surfaces, Generation& generation) {
+  reserve(recorder, surfaces, generation, in.count);
+  surfaces.count = generation.count = in.count;
+  clear_direct(recorder, generation, 0, in.count);
+  const raster::CameraView& view = in.view;
+  const RasterPush push{view.eye,
+                        view.orthographic ? 1.0f : 0.0f,
+                        view.forward,
+                        in.order == RayOrder::tiles ? 1u : 0u,
+                        {in.size.width, in.size.height},
+                        in.first,
+                        in.count};
+  const raster::GBuffer& g = in.gbuffer;
+  const scene::GpuScene& s = in.scene;
+  recorder.dispatch("surfaces/from_raster", in.count, push,
+                    {&g.position,        &g.normal,         &g.diffuse,       &g.specular,       &g.triangle,
+                     s.corner_a,         s.corner_b,        s.corner_c,       s.sources,         s.triangles,
+                     s.vertices,         s.instances,       s.materials,      s.textures,        s.texels[0],
+                     s.texels[1],        s.texels[2],       s.texels[3],      surfaces.position, surfaces.normal,
+                     surfaces.geometric, surfaces.incoming, surfaces.diffuse, surfaces.specular, generation.emission});
+}
+
+void from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces& surfaces, Generation& generation) {
+  const Children& children = in.children;
+  const uint32_t end = children.first_child + in.count;
+  CRSH_ASSERT(surfaces.position.bytes() >= end * word_bytes, "surfaces without room for a batch's hits");
+  surfaces.count = generation.count = end;
+  clear_direct(recorder, generation, children.first_child, in.count);
+  const HitsPush push{children.first_ray, in.count, children.surfaces, children.first_surface, children.first_child};
+  const scene::GpuScene& s = in.scene;
+  recorder.dispatch("surfaces/from_hits", in.count, push,
+                    {in.rays,
+                     in.slots,
+                     in.hits,
+                     in.parents.diffuse,
+                     in.parents.specular,
+                     s.corner_a,
+                     s.corner_b,
+                     s.corner_c,
+                     s.sources,
+                     s.triangles,
+                     s.vertices,
+                     s.instances,
+                     s.materials,
+                     s.textures,
+                     s.texels[0],
+                     s.texels[1],
+                     s.texels[2],
+                     s.texels[3],
+                     surfaces.position,
+                     surfaces.normal,
+                     surfaces.geometric,
+                     surfaces.incoming,
+                     surfaces.diffuse,
+                     surfaces.specular,
+                     generation.emission});
+}
+
+}  // namespace crsh::surfaces
