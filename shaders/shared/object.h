@@ -9,8 +9,9 @@ CRSH_SHARED_BEGIN
 //
 // Node i has the child slots 2 i and 2 i + 1 of two buffers of vec4, box_low and box_high:
 //   box_low.xyz, box_high.xyz  the child's box, padded (lib/box.glsl)
-//   box_low.w                  bits: `child_is_leaf` and the first of its triangles in leaf order, or an inner node's index
-//   box_high.w                 bits: how many triangles the child holds in all; 0 in a slot that stands empty
+//   box_low.w                  bits: for a leaf `child_is_leaf` and the first of its triangles in leaf order, else an
+//                              inner node's index
+//   box_high.w                 bits: how many triangles the child holds in all; 0 in an empty slot
 // Node 0 is the root. Triangles lie in leaf order in three buffers of vec4, leaf_a, leaf_b and leaf_c, so that every
 // subtree's are neighbours. They are as in shared/scene.h, and leaf_c.w has the bits of the triangle's number.
 CRSH_CONST uint child_is_leaf = 1u << 31;

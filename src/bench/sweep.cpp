@@ -48,6 +48,16 @@ std::vector<Size> pixel_sizes(const RenderOptions& options) {
   return sizes;
 }
 
+/// A light in the middle, and the others on a circle around it, a seventh of a turn apart.
+std::vector<LightOption> ring(glm::vec3 middle, float radius, uint32_t count) {
+  std::vector<LightOption> lights = {{middle, {}}};
+  for (uint32_t i = 1; i < count; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * float(i) / 7;
+    lights.push_back({middle + radius * glm::vec3(std::cos(angle), 0, std::sin(angle)), {}});
+  }
+  return lights;
+}
+
 /// Lights on a small ring, the first at its middle: where --light puts it, or below the ceiling.
 std::vector<Size> light_sizes(const scene::Scene& scene, const RenderOptions& options) {
   const scene::Bounds bounds = scene.bounds(scene.pose(0, {}));
@@ -57,14 +67,7 @@ std::vector<Size> light_sizes(const scene::Scene& scene, const RenderOptions& op
   const float radius = 0.04f * glm::length(extent);
   std::vector<Size> sizes;
   for (const uint32_t count : {1u, 2u, 4u, 8u})
-    sizes.push_back(
-        {double(count), 1, [=](RenderOptions& changed) {
-           changed.lights.assign(1, {middle, {}});
-           for (uint32_t i = 1; i < count; ++i) {
-             const float angle = 2 * std::numbers::pi_v<float> * float(i) / 7;
-             changed.lights.push_back({middle + radius * glm::vec3(std::cos(angle), 0, std::sin(angle)), {}});
-           }
-         }});
+    sizes.push_back({double(count), 1, [=](RenderOptions& changed) { changed.lights = ring(middle, radius, count); }});
   return sizes;
 }
 

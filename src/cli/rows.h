@@ -12,14 +12,13 @@
 
 namespace crsh::cli {
 
+inline bool is_true(const std::string& text) { return parse_choice(text, {"false", "true"}) == 1; }
+
 inline Option flag(std::string names, std::string help, bool& variable) {
   return {.names = std::move(names),
           .value = {},
           .help = std::move(help),
-          .set =
-              [&variable](const std::string& text) {
-                variable = parse_choice(text, {"false", "true"}) == 1;
-              },
+          .set = [&variable](const std::string& text) { variable = is_true(text); },
           .get = [&variable] { return variable; }};
 }
 

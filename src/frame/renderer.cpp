@@ -191,8 +191,8 @@ Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const RenderO
     device.set_memory_budget(0);
     state_ = std::make_unique<State>(device, scene, options);
     load(*state_);
-    refuse_budget(
-        *state_, [this] { (void)render_frame(*state_, 0, {}); }, budget);
+    const Frame first_frame = [this] { (void)render_frame(*state_, 0, {}); };
+    refuse_budget(*state_, first_frame, budget);
   } catch (const gpu::OutOfMemory& shortage) {
     report(shortage, "a smaller --size needs less");
   }

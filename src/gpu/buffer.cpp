@@ -75,7 +75,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 void Buffer::reserve(Device& device, uint64_t bytes, std::string_view name) {
   if (buffer_ && bytes <= bytes_) return;
   const uint64_t before = bytes_;
-  { const Buffer freed = std::move(*this); }  // first, so that old and new need not fit together
+  *this = Buffer();  // frees the old one first: both together might not fit
   *this = Buffer(device, grown(device, before, bytes), name);
 }
 

@@ -76,8 +76,8 @@ void decorate_member(Module& module, std::span<const uint32_t> operands) {
 
 /// Where an instruction that makes a definition has its result id among its operands.
 size_t result_place(SpvOp op) {
+  // clang-format off
   switch (op) {
-    // clang-format off
     case SpvOpTypeInt: case SpvOpTypeFloat: case SpvOpTypeBool: case SpvOpTypeVector: case SpvOpTypeMatrix:
     case SpvOpTypeArray: case SpvOpTypeRuntimeArray: case SpvOpTypeStruct: case SpvOpTypePointer: case SpvOpTypeImage:
     case SpvOpTypeAccelerationStructureKHR:
@@ -85,9 +85,9 @@ size_t result_place(SpvOp op) {
     case SpvOpConstant: case SpvOpSpecConstant: case SpvOpConstantComposite: case SpvOpSpecConstantComposite:
     case SpvOpVariable:
       return 1;
-    // clang-format on
     default: return SIZE_MAX;
   }
+  // clang-format on
 }
 
 void take(Module& module, SpvOp op, std::span<const uint32_t> operands) {

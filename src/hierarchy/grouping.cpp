@@ -105,7 +105,10 @@ void group_cut(gpu::Recorder& recorder, const In& in, const std::vector<Range>& 
   flag_heads(recorder, in, below, index, out);
   level.count = primitives::compact(recorder, out.cut.compact, out.cut.heads, children, out.cut.bases);
   reserve_ranges(recorder, level, children);
-  const struct { uint32_t nodes, rays_below; } push{level.count, index == 0};
+  const struct {
+    uint32_t nodes;
+    uint32_t rays_below;
+  } push{level.count, index == 0};
   recorder.dispatch(
       "hierarchy/group_cut", level.count, push,
       {rays_of_children(out, index), out.cut.bases, out.cut.ends, level.parents, level.children, level.rays});

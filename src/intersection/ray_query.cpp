@@ -12,7 +12,10 @@ void query(gpu::Recorder& recorder, const In& in, const objects::DeviceHierarchy
   const uint32_t tile = uint32_t(std::clamp<uint64_t>(in.submit_work / usual_tests, 1, segment.count));
   for (uint32_t done = 0; done < segment.count; done += tile) {
     const uint32_t count = std::min(tile, segment.count - done);
-    const struct { uint32_t first, end; } push{segment.first + done, segment.first + done + count};
+    const struct {
+      uint32_t first;
+      uint32_t end;
+    } push{segment.first + done, segment.first + done + count};
     recorder.dispatch({"intersection/ray_query", {{0, plain}}}, count, push,
                       {objects.structure.get(), in.batch.rays, in.hits, in.scene.corner_a, in.scene.materials},
                       count * usual_tests);

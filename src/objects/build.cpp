@@ -115,7 +115,7 @@ class Builder {
     places_.reserve(device_, quad_bytes(n_ + 1), "places");
     raw_nodes_.reserve(device_, n_ * sizeof(glm::uvec4), "raw nodes");
     raw_costs_.reserve(device_, n_ * sizeof(float), "costs of raw nodes");
-    const struct { uint32_t count; } push{n_};
+    const uint32_t push = n_;
     recorder_.dispatch(
         "objects/begin", n_, push,
         {in_.scene.corner_a, in_.scene.corner_b, in_.scene.corner_c, sorted_, clusters_.low, clusters_.high}, n_);
@@ -151,14 +151,17 @@ class Builder {
 
   /// Where the clusters that stay go. Returns how many there are.
   uint32_t find_places(uint32_t count) {
-    const struct { uint32_t count; } push{count};
+    const uint32_t push = count;
     recorder_.dispatch("objects/pair", count, push, {nearest_, places_}, count);
     primitives::scan(recorder_, scan_, places_, places_, count + 1, primitives::ScanKind::exclusive);
     return recorder_.read<uint32_t>(places_, 1, count)[0];
   }
 
   void merge_pairs(uint32_t count, uint32_t first_node) {
-    const struct { uint32_t count, first_node; } push{count, first_node};
+    const struct {
+      uint32_t count;
+      uint32_t first_node;
+    } push{count, first_node};
     recorder_.dispatch(
         "objects/merge", count, push,
         {nearest_, places_, clusters_.low, clusters_.high, next_.low, next_.high, raw_nodes_, raw_costs_}, count);
@@ -189,9 +192,8 @@ class Builder {
   }
 
   void emit_nodes() {
-    const struct { uint32_t count; } push{n_ - 1};
-    recorder_.dispatch("objects/emit", push.count, push, {raw_nodes_, firsts_, places_, out_.box_low, out_.box_high},
-                       push.count);
+    const uint32_t push = n_ - 1;
+    recorder_.dispatch("objects/emit", push, push, {raw_nodes_, firsts_, places_, out_.box_low, out_.box_high}, push);
   }
 
   gpu::Recorder& recorder_;

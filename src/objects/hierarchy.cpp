@@ -27,7 +27,10 @@ void fit_rank(gpu::Recorder& recorder, const In& in, Hierarchy& h, Rank rank) {
   constexpr uint32_t tests = 4;  // a node's boxes, or its leaves' triangles
   const uint32_t portion = uint32_t(std::clamp<uint64_t>(in.submit_work / tests, 1, UINT32_MAX / 2));
   for (uint32_t done = 0; done < rank.count; done += portion) {
-    const struct { uint32_t first, count; } push{rank.first + done, std::min(portion, rank.count - done)};
+    const struct {
+      uint32_t first;
+      uint32_t count;
+    } push{rank.first + done, std::min(portion, rank.count - done)};
     recorder.dispatch("objects/fit", push.count, push,
                       {h.leaf_a, h.leaf_b, h.leaf_c, h.box_low, h.box_high, h.costs, h.root},
                       uint64_t(push.count) * tests);
@@ -39,7 +42,7 @@ void fit_rank(gpu::Recorder& recorder, const In& in, Hierarchy& h, Rank rank) {
 
 void fit(gpu::Recorder& recorder, const In& in, Hierarchy& h) {
   recorder.stage(Stage::object_hierarchy);
-  const struct { uint32_t count; } push{h.triangle_count};
+  const uint32_t push = h.triangle_count;
   recorder.dispatch("objects/corners", h.triangle_count, push,
                     {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, h.order, h.leaf_a, h.leaf_b, h.leaf_c},
                     h.triangle_count);

@@ -51,11 +51,11 @@ void release(size_t slot) {
 }
 
 void remove_on_signals() {
-  struct sigaction action {};
+  struct sigaction action = {};
   action.sa_handler = remove_all;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) {
-    struct sigaction before {};
+    struct sigaction before = {};
     ::sigaction(signal, nullptr, &before);
     if (before.sa_handler != SIG_IGN) ::sigaction(signal, &action, nullptr);  // nohup stays in force
   }

@@ -60,7 +60,7 @@ bool write_all(int file, std::string_view bytes) {
 
 void check_place(const fs::path& path) {
   const fs::path folder = folder_of(resolved(path));
-  struct stat status {};
+  struct stat status = {};
   if (::stat(path.c_str(), &status) == 0) {
     if (S_ISDIR(status.st_mode)) throw UserError(fmt::format("{}: is a folder: name a file in it", path.string()));
     if (::access(path.c_str(), W_OK) != 0) fail_to_write(path, errno);
@@ -74,7 +74,7 @@ void check_place(const fs::path& path) {
 
 /// An existing file keeps its permissions.
 void copy_mode(const fs::path& from, int to) {
-  struct stat status {};
+  struct stat status = {};
   if (::stat(from.c_str(), &status) == 0) [[maybe_unused]]
     const int ignored = ::fchmod(to, status.st_mode & 07777);
 }

@@ -118,7 +118,10 @@ class Descent {
          in_.scene.corner_b, in_.scene.corner_c},
         masks * shared::block_triangles);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanKind::exclusive);
-    const struct { uint32_t count, stride; } bases_push{nodes.count + 1, blocks.count};
+    const struct {
+      uint32_t count;
+      uint32_t stride;
+    } bases_push{nodes.count + 1, blocks.count};
     recorder_.dispatch("traversal/bases", nodes.count + 1, bases_push, {lists.counts, lists.bases});
     const Bases bases{nodes.first, recorder_.read<uint32_t>(lists.bases, nodes.count + 1)};
     for_portions(bases, level(top_).most_children, [&](Range portion) {

@@ -20,8 +20,8 @@ class Script {
     Model& model;
     Window& window;
     Widgets& widgets;
-    std::function<void(const std::string&path)> save, screenshot;  ///< as soon as they can
-    std::function<bool()> idle;                                    ///< nothing is left to save
+    std::function<void(const std::string&)> save, screenshot;  ///< to this path, as soon as they can
+    std::function<bool()> idle;                                ///< nothing is left to save
   };
 
   /// Throws UserError: the file, the line, and what is wrong.

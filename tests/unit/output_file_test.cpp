@@ -36,7 +36,7 @@ TEST_CASE("a file appears at commit and not before") {
 TEST_CASE("without commit nothing stays, and what was there before is as it was") {
   const test::TemporaryFolder folder;
   write_whole(folder / "picture", "old");
-  { WholeFile(folder / "picture").write("new"); }
+  WholeFile(folder / "picture").write("new");
   CHECK(read_whole(folder / "picture") == "old");
   CHECK(folder.size() == 1);
 }

@@ -11,11 +11,11 @@ build_packages=(
   libglfw3-dev libimgui-dev doctest-dev
 )
 
-# What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display, and
-# those who read completions, the manual page and makefiles.
+# What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display,
+# clang-format, and those who read completions, the manual page and makefiles.
 test_packages=(
   vulkan-validationlayers libembree-dev python3-numpy openimageio-tools xvfb xauth openbox
-  zsh fish groff-base make
+  clang-format zsh fish groff-base make
 )
 
 # Prints those of the packages that are not installed.

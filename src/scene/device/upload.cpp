@@ -170,7 +170,7 @@ void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, cons
   recorder.submit();  // nothing recorded may still need what is overwritten now
   move_objects(recorder.device(), target, scene, pose);
   move_lights(recorder.device(), target, scene, pose, lights);
-  const struct { uint32_t count; } push{target.triangle_count};
+  const uint32_t push = target.triangle_count;
   recorder.dispatch("scene/animate", target.triangle_count, push,
                     {target.sources, target.triangles, target.positions, target.instances, target.corner_a,
                      target.corner_b, target.corner_c, target.triangle_spheres});
