@@ -36,7 +36,7 @@ cli::OptionGroup viewer_options(Arguments& a) {
                      "Milliseconds that a frame may take while the camera moves: its resolution falls until it fits.",
                      a.budget_ms, 1, 10000),
            cli::flag("--watch", "Load the scene anew when its file changes.", a.watch),
-           cli::text("--script", "FILE", "Do what this file lists (tests/README.md), then end.", a.script),
+           cli::text("--script", "FILE", "Do what this file lists (src/viewer/README.md), then end.", a.script),
            {.names = "--after", .value = "N", .help = "End after N presented frames of full refinement.", .set = after},
            cli::text("--screenshot", "FILE.png", "At the end, save the whole window.", a.screenshot),
            cli::text("--save", "FILE", "At the end, save what F12 saves (.png), or Shift+F12 (.exr).", a.save),

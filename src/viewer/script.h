@@ -1,5 +1,5 @@
 #pragma once
-// Inputs from a file, for tests (--script; the list of them is in tests/README.md).
+// Inputs from a file, for tests (--script; the list of them is in README.md here).
 
 #include <deque>
 #include <functional>
