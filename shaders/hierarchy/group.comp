@@ -14,7 +14,7 @@ layout(push_constant, scalar) uniform Push {
   uint rays_below;  // 1: children are rays themselves (level 1)
 };
 layout(binding = 0, scalar) readonly buffer RaysBelow { uvec2 rays_of_child[]; };
-layout(binding = 1, scalar) writeonly buffer Parents { uint parent[]; };
+layout(binding = 1, scalar) writeonly buffer Parents { uint parents[]; };
 layout(binding = 2, scalar) writeonly buffer Children { uvec2 children_of[]; };
 layout(binding = 3, scalar) writeonly buffer NodeRays { uvec2 rays_of[]; };
 
@@ -23,7 +23,7 @@ void main() {
   if (i >= children) return;
   uint child = first_child + i;
   uint node = first_node + i / arity;
-  parent[child] = node;
+  parents[child] = node;
   if (i % arity != 0u) return;
   uint end = first_child + min(i + arity, children);
   children_of[node] = uvec2(child, end);

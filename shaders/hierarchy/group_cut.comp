@@ -13,7 +13,7 @@ layout(push_constant, scalar) uniform Push {
 layout(binding = 0, scalar) readonly buffer RaysBelow { uvec2 rays_of_child[]; };
 layout(binding = 1, scalar) readonly buffer Bases { uint bases[]; };  // first child a node
 layout(binding = 2, scalar) readonly buffer Ends { uint ends[]; };    // by first child
-layout(binding = 3, scalar) writeonly buffer Parents { uint parent[]; };
+layout(binding = 3, scalar) writeonly buffer Parents { uint parents[]; };
 layout(binding = 4, scalar) writeonly buffer Children { uvec2 children_of[]; };
 layout(binding = 5, scalar) writeonly buffer NodeRays { uvec2 rays_of[]; };
 
@@ -25,7 +25,7 @@ void main() {
   rays_of[node] = rays_below == 1u ? uvec2(base, end) : uvec2(rays_of_child[base].x, rays_of_child[end - 1u].y);
   uint child = base;
   for (;;) {
-    parent[child] = node;
+    parents[child] = node;
     if (++child >= end) break;
   }
 }

@@ -9,15 +9,18 @@ layout(constant_id = 1) const bool values_only = false;  // the last pass may le
 layout(constant_id = 2) const bool unstable = false;     // test-only fault: all lanes but the last walk backwards
 
 layout(scalar, binding = 1) buffer Places { uint places[]; };  // the histogram after its exclusive scan
-layout(scalar, binding = 2) writeonly buffer Sorted { uvec2 sorted[]; };
-layout(scalar, binding = 2) writeonly buffer Values { uint values[]; };
+// One buffer, for pairs or for values alone.
+layout(scalar, binding = 2) writeonly buffer SortedPairs { uvec2 sorted[]; }
+as_pairs;
+layout(scalar, binding = 2) writeonly buffer SortedValues { uint sorted[]; }
+as_values;
 
 void put(uvec2 pair, uint lane) {
   const uint slot = sort_slot(pair.x, lane);
   const uint place = places[slot];
   places[slot] = place + 1;
-  if (values_only) values[place] = pair.y;
-  else sorted[place] = pair;
+  if (values_only) as_values.sorted[place] = pair.y;
+  else as_pairs.sorted[place] = pair;
 }
 
 void main() {

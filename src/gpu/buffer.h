@@ -15,7 +15,8 @@
 
 namespace crsh::gpu {
 
-/// Move-only storage buffer (also transfer source and target, vertex and indirect buffer). A default one is empty.
+/// Move-only storage buffer (also texel buffer, transfer source and target, vertex and indirect buffer). A default one
+/// is empty.
 class Buffer {
  public:
   Buffer() = default;

@@ -139,6 +139,7 @@ Limits device_limits(VkPhysicalDevice physical) {
   Limits limits;
   limits.max_binding = core.maxStorageBufferRange;
   limits.max_allocation = std::min(all.v11.maxMemoryAllocationSize, all.v13.maxBufferSize);
+  limits.max_texels = core.maxTexelBufferElements;
   limits.binding_alignment = static_cast<uint32_t>(core.minStorageBufferOffsetAlignment);
   limits.max_groups = std::min(core.maxComputeWorkGroupCount[0], core.maxComputeWorkGroupCount[1]);
   limits.max_image_size = std::min({core.maxImageDimension2D, core.maxFramebufferWidth, core.maxFramebufferHeight});

@@ -1,5 +1,6 @@
 #include "gpu/descriptors.h"
 
+#include <algorithm>
 #include <array>
 
 #include "crsh/assertion.h"
@@ -11,13 +12,15 @@ constexpr uint32_t sets_a_pool = 256;
 constexpr uint32_t buffers_a_set = 16, images_a_set = 4;  // on average
 
 VkDescriptorBufferInfo buffer_info(const Limits& limits, const Binding& binding, std::string_view name) {
-  const std::string text = binding.buffer->name() + ", bound by " + std::string(name) + ", ";
-  CRSH_ASSERT(binding.buffer->handle(), text + "is an empty buffer");
-  CRSH_ASSERT(binding.bytes > 0, text + "is bound with no bytes");
+  const auto text = [&](const char* what) {
+    return binding.buffer->name() + ", bound by " + std::string(name) + ", " + what;
+  };
+  CRSH_ASSERT(binding.buffer->handle(), text("is an empty buffer"));
+  CRSH_ASSERT(binding.bytes > 0, text("is bound with no bytes"));
   CRSH_ASSERT(binding.offset <= binding.buffer->bytes() && binding.bytes <= binding.buffer->bytes() - binding.offset,
-              text + "is bound past its end");
-  CRSH_ASSERT(binding.offset % limits.binding_alignment == 0, text + "is bound at an unaligned offset");
-  CRSH_ASSERT(binding.bytes <= limits.max_binding, text + "is larger than one binding holds");
+              text("is bound past its end"));
+  CRSH_ASSERT(binding.offset % limits.binding_alignment == 0, text("is bound at an unaligned offset"));
+  CRSH_ASSERT(binding.bytes <= limits.max_binding, text("is larger than one binding holds"));
   return {binding.buffer->handle(), binding.offset, binding.bytes};
 }
 
@@ -34,34 +37,34 @@ class Writes {
     buffers_.reserve(count), images_.reserve(count), structures_.reserve(count), handles_.reserve(count);
   }
 
-  void add(const VkDescriptorBufferInfo& info) {
+  void add(uint32_t binding, const VkDescriptorBufferInfo& info) {
     buffers_.push_back(info);
-    add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers_.back();
+    add(binding, Resource::storage_buffer).pBufferInfo = &buffers_.back();
   }
-  void add(const VkDescriptorImageInfo& info) {
+  void add(uint32_t binding, const VkDescriptorImageInfo& info) {
     images_.push_back(info);
-    add(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE).pImageInfo = &images_.back();
+    add(binding, Resource::storage_image).pImageInfo = &images_.back();
   }
-  void add(const AccelerationStructure& structure) {
+  void add(uint32_t binding, const AccelerationStructure& structure) {
     handles_.push_back(structure.handle());
     VkWriteDescriptorSetAccelerationStructureKHR info{
         .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
     info.accelerationStructureCount = 1;
     info.pAccelerationStructures = &handles_.back();
     structures_.push_back(info);
-    add(VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR).pNext = &structures_.back();
+    add(binding, Resource::acceleration_structure).pNext = &structures_.back();
   }
   void update(VkDevice device) const {
     vkUpdateDescriptorSets(device, static_cast<uint32_t>(writes_.size()), writes_.data(), 0, nullptr);
   }
 
  private:
-  VkWriteDescriptorSet& add(VkDescriptorType type) {
+  VkWriteDescriptorSet& add(uint32_t binding, Resource kind) {
     VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set_;
-    write.dstBinding = static_cast<uint32_t>(writes_.size());
+    write.dstBinding = binding;
     write.descriptorCount = 1;
-    write.descriptorType = type;
+    write.descriptorType = descriptor_type(kind);
     return writes_.emplace_back(write);
   }
 
@@ -73,31 +76,58 @@ class Writes {
   std::vector<VkWriteDescriptorSet> writes_;
 };
 
+/// Where the shader declares it, the number of declarations where it does not. Callers mostly name arguments in the
+/// shader's order, so the one at the same place is tried first.
+uint32_t binding_of(std::span<const Declared> declared, std::string_view name, size_t place) {
+  if (place < declared.size() && declared[place].name == name) return static_cast<uint32_t>(place);
+  return static_cast<uint32_t>(std::ranges::find(declared, name, &Declared::name) - declared.begin());
+}
+
+/// Asserts that each declared name is given once, and no other.
+void require_names(std::string_view shader, std::span<const Declared> declared, Arguments arguments) {
+  uint64_t given = 0;
+  size_t place = 0;
+  for (const Argument& argument : arguments)
+    if (!is_tables(argument)) given |= uint64_t(1) << binding_of(declared, argument.name, place++);
+  if (place == declared.size() && given == (uint64_t(1) << declared.size()) - 1) return;
+  std::vector<std::string_view> names;
+  for (const Argument& argument : arguments)
+    if (!is_tables(argument)) names.push_back(argument.name);
+  assertion_failed(__FILE__, __LINE__, misnamed(shader, declared, names));
+}
+
 }  // namespace
 
 Descriptors::~Descriptors() {
   for (VkDescriptorPool pool : pools_) vkDestroyDescriptorPool(device_.handle(), pool, nullptr);
 }
 
-VkDescriptorSet Descriptors::describe(VkDescriptorSetLayout layout, const Reflection& reflection,
-                                      std::initializer_list<Argument> arguments, std::string_view name) {
-  CRSH_ASSERT(arguments.size() == reflection.resources.size(),
-              std::string(name) + " takes " + std::to_string(reflection.resources.size()) + " arguments, not " +
-                  std::to_string(arguments.size()));
+std::string misnamed(std::string_view shader, std::span<const Declared> declared,
+                     std::span<const std::string_view> names) {
+  const auto is_given_once = [&](const Declared& one) { return std::ranges::count(names, one.name) == 1; };
+  if (names.size() == declared.size() && std::ranges::all_of(declared, is_given_once)) return "";
+  std::string given;
+  for (const std::string_view name : names) given += (given.empty() ? "" : ", ") + std::string(name);
+  return std::string(shader) + " takes " + names_of(declared) + ", and is given " + (given.empty() ? "nothing" : given);
+}
+
+VkDescriptorSet Descriptors::describe(VkDescriptorSetLayout layout, const Reflection& reflection, Arguments arguments,
+                                      std::string_view shader) {
+  require_names(shader, reflection.arguments, arguments);
   const VkDescriptorSet set = allocate(layout);
   Writes writes(set, arguments.size());
-  size_t index = 0;
+  uint32_t place = 0;
   for (const Argument& argument : arguments) {
-    CRSH_ASSERT(static_cast<Resource>(argument.index()) == reflection.resources[index],
-                "argument " + std::to_string(index) + " of " + std::string(name) + " is of the wrong kind");
-    switch (reflection.resources[index]) {
-      case Resource::storage_buffer:
-        writes.add(buffer_info(device_.limits(), std::get<Binding>(argument), name));
-        break;
-      case Resource::storage_image: writes.add(image_info(*std::get<const Image*>(argument), name)); break;
-      case Resource::acceleration_structure: writes.add(*std::get<const AccelerationStructure*>(argument)); break;
-    }
-    ++index;
+    if (is_tables(argument)) continue;
+    const uint32_t binding = binding_of(reflection.arguments, argument.name, place++);
+    const Declared& declared = reflection.arguments[binding];
+    CRSH_ASSERT(static_cast<Resource>(argument.bound.index()) == declared.kind,
+                declared.name + " of " + std::string(shader) + " is of another kind");
+    if (const auto* buffer = std::get_if<Binding>(&argument.bound))
+      writes.add(binding, buffer_info(device_.limits(), *buffer, shader));
+    else if (const auto* image = std::get_if<const Image*>(&argument.bound))
+      writes.add(binding, image_info(**image, shader));
+    else writes.add(binding, *std::get<const AccelerationStructure*>(argument.bound));
   }
   writes.update(device_.handle());
   return set;

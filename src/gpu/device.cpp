@@ -40,6 +40,7 @@ Device::Device(const DeviceRequest& request) : Device() {
   info_ = infos[index];
   info_.ray_queries = info_.ray_queries && !request.no_ray_queries;
   limits_ = device_limits(physical_);
+  if (request.max_texels) limits_.max_texels = std::min(limits_.max_texels, request.max_texels);
   vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
   create_device();
   if (request.validation) load_label_functions();

@@ -35,6 +35,7 @@ struct DeviceInfo {
 struct Limits {
   uint64_t max_binding = 0;        ///< maxStorageBufferRange
   uint64_t max_allocation = 0;     ///< maxMemoryAllocationSize
+  uint64_t max_texels = 0;         ///< maxTexelBufferElements: texels, of any size
   uint32_t binding_alignment = 1;  ///< minStorageBufferOffsetAlignment
   uint32_t max_groups = 65535;     ///< workgroups an axis of a dispatch
   uint32_t max_image_size = 0;     ///< pixels an axis of a 2-D image or framebuffer
@@ -49,6 +50,7 @@ struct DeviceRequest {
   bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
   /// of the instance, as the window system asks for them; empty: no window
   std::vector<std::string> window_extensions;
+  uint64_t max_texels = 0;      ///< as if texel buffers held no more (tests); 0: what the device says
   uint64_t first_capacity = 0;  ///< growing buffers start with so many bytes (tests); 0: what is asked for
 };
 

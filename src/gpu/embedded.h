@@ -21,7 +21,8 @@ extern const EmbeddedFile embedded_table[];
 /// From here on these words stand for the embedded file. Pipelines that are there already stay as they are.
 void replace_spirv(std::string_view file, std::vector<uint32_t> words);
 
-/// Why these words cannot stand for the embedded file: other bindings or push constants than the program gives it.
+/// Why these words cannot stand for the embedded file: other bindings, names or push constants than the program gives
+/// it.
 /// Empty: they can.
 [[nodiscard]] std::string misfit(std::string_view file, std::span<const uint32_t> words);
 

@@ -1,31 +1,13 @@
 #include "gpu/program.h"
 
+#include <array>
+
 #include "crsh/assertion.h"
+#include "gpu/buffer_set.h"
 #include "gpu/shader_module.h"
 
 namespace crsh::gpu {
 namespace {
-
-VkDescriptorType descriptor_type(Resource resource) {
-  switch (resource) {
-    case Resource::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case Resource::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    case Resource::acceleration_structure: break;
-  }
-  return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
-}
-
-VkDescriptorSetLayout create_set_layout(Device& device, const Reflection& reflection, VkShaderStageFlags stages) {
-  std::vector<VkDescriptorSetLayoutBinding> bindings;
-  for (const Resource resource : reflection.resources)
-    bindings.push_back({static_cast<uint32_t>(bindings.size()), descriptor_type(resource), 1, stages, nullptr});
-  VkDescriptorSetLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  info.bindingCount = static_cast<uint32_t>(bindings.size());
-  info.pBindings = bindings.data();
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "making a descriptor set layout");
-  return layout;
-}
 
 /// The value a kernel gives to a specialisation constant, else the shader's own.
 uint32_t specialised(const Kernel& kernel, uint32_t constant_id, uint32_t otherwise) {
@@ -66,11 +48,13 @@ VkPipelineShaderStageCreateInfo ShaderModule::stage(VkShaderStageFlagBits stage)
 }
 
 PipelineLayout::PipelineLayout(Device& device, const Reflection& reflection, VkShaderStageFlags stages)
-    : device_(device), stages_(stages), set_(create_set_layout(device, reflection, stages)) {
+    : device_(device), stages_(stages), set_(make_set_layout(device, reflection.arguments, stages)) {
+  if (!reflection.tables.empty()) tables_ = make_set_layout(device, reflection.tables, table_stages);
+  const std::array sets = {set_, tables_};
   const VkPushConstantRange range{stages, 0, reflection.push_bytes};
   VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  info.setLayoutCount = 1;
-  info.pSetLayouts = &set_;
+  info.setLayoutCount = tables_ ? 2 : 1;
+  info.pSetLayouts = sets.data();
   info.pushConstantRangeCount = reflection.push_bytes ? 1 : 0;
   info.pPushConstantRanges = &range;
   check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout_), "making a pipeline layout");
@@ -79,6 +63,7 @@ PipelineLayout::PipelineLayout(Device& device, const Reflection& reflection, VkS
 PipelineLayout::~PipelineLayout() {
   vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
   vkDestroyDescriptorSetLayout(device_.handle(), set_, nullptr);
+  vkDestroyDescriptorSetLayout(device_.handle(), tables_, nullptr);
 }
 
 Program::Program(Device& device, const Kernel& kernel)

@@ -12,6 +12,7 @@
 
 #include "gpu/device.h"
 #include "gpu/image.h"
+#include "gpu/reflection.h"
 
 namespace crsh::gpu {
 
@@ -26,33 +27,7 @@ struct Kernel {
   std::vector<std::pair<uint32_t, uint32_t>> constants;
 };
 
-/// The SPIR-V words of a shader built from shaders/: "coherence/flag_heads.comp", "raster/surface.frag", or a variant
-/// "rays/hash@hilbert.comp". Asserts that it exists.
-[[nodiscard]] std::span<const uint32_t> embedded_spirv(std::string_view file);
-/// Every embedded file, sorted: what the build found (keys and bounds are listed from this).
-[[nodiscard]] std::vector<std::string_view> embedded_files();
-
-/// The default value of a shader's specialisation constant: what a variant declares of itself. Asserts that it has one.
-[[nodiscard]] uint32_t declared_constant(std::string_view file, uint32_t constant_id);
-
-/// What a binding is, in the order of Argument's alternatives (gpu/descriptors.h).
-enum class Resource { storage_buffer, storage_image, acceleration_structure };
-
-/// What a module declares in set 0 and for itself; the small part of SPIR-V reflection that dispatches need.
-struct Reflection {
-  std::vector<Resource> resources;  ///< by binding, 0 .. n-1 without gaps (asserted)
-  uint32_t push_bytes = 0;          ///< size of the push constant block, at most 128 (asserted)
-  uint32_t local_size[3] = {1, 1, 1};
-  /// The constant_id behind each local size (layout(local_size_x_id = 0)), or no_constant.
-  uint32_t local_size_id[3] = {no_constant, no_constant, no_constant};
-  static constexpr uint32_t no_constant = UINT32_MAX;
-  bool tells_lanes_apart = false;  ///< it reads gl_SubgroupID or gl_SubgroupInvocationID
-};
-[[nodiscard]] Reflection reflect(std::span<const uint32_t> spirv);
-/// Of modules that share set 0 and the push block, as a vertex and a fragment shader do.
-[[nodiscard]] Reflection reflect_together(std::span<const std::span<const uint32_t>> modules);
-
-/// Set 0 and the push block of a pipeline, as reflected.
+/// The sets and the push block of a pipeline, as reflected.
 class PipelineLayout {
  public:
   PipelineLayout(Device& device, const Reflection& reflection, VkShaderStageFlags stages);
@@ -61,13 +36,14 @@ class PipelineLayout {
   PipelineLayout& operator=(const PipelineLayout&) = delete;
 
   [[nodiscard]] VkPipelineLayout handle() const { return layout_; }
+  /// Of the arguments.
   [[nodiscard]] VkDescriptorSetLayout set() const { return set_; }
   [[nodiscard]] VkShaderStageFlags stages() const { return stages_; }
 
  private:
   Device& device_;
   VkShaderStageFlags stages_;
-  VkDescriptorSetLayout set_ = VK_NULL_HANDLE;
+  VkDescriptorSetLayout set_ = VK_NULL_HANDLE, tables_ = VK_NULL_HANDLE;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
 };
 
@@ -97,7 +73,7 @@ class Program {
 };
 
 /// A graphics pipeline of "path.vert" and "path.frag" (vertex pulling: no vertex input; triangle list; no face culling;
-/// depth test GREATER with write: depth is reversed, cleared to 0). Vertex and fragment shader share set 0 and the push
+/// depth test GREATER with write: depth is reversed, cleared to 0). Vertex and fragment shader share sets and push
 /// block.
 class DrawProgram {
  public:

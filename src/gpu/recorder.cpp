@@ -39,6 +39,17 @@ VkExtent2D extent_of(const Attachments& attachments) {
   return {image.width(), image.height()};
 }
 
+/// The one argument without a name, if any.
+const BufferSet* tables_among(Arguments arguments, std::string_view name) {
+  const BufferSet* tables = nullptr;
+  for (const Argument& argument : arguments)
+    if (const auto* set = std::get_if<const BufferSet*>(&argument.bound)) {
+      CRSH_ASSERT(!tables, std::string(name) + " is given tables twice");
+      tables = *set;
+    }
+  return tables;
+}
+
 }  // namespace
 
 Recorder::Recorder(Device& device)
@@ -66,12 +77,38 @@ void Recorder::bind(VkPipelineBindPoint point, VkPipeline pipeline, const Pipeli
                                                         " bytes of push constants, not " + std::to_string(push.size()));
   const VkCommandBuffer commands = submission_.commands();
   vkCmdBindPipeline(commands, point, pipeline);
-  if (!reflection.resources.empty()) {
+  if (!reflection.arguments.empty() || !std::ranges::all_of(arguments, is_tables)) {
     const VkDescriptorSet set = descriptors_.describe(layout.set(), reflection, arguments, name);
-    vkCmdBindDescriptorSets(commands, point, layout.handle(), 0, 1, &set, 0, nullptr);
+    vkCmdBindDescriptorSets(commands, point, layout.handle(), argument_set, 1, &set, 0, nullptr);
   }
+  bind_tables(point, layout, reflection, arguments, name);
   if (!push.empty())
     vkCmdPushConstants(commands, layout.handle(), layout.stages(), 0, static_cast<uint32_t>(push.size()), push.data());
+}
+
+void Recorder::bind_tables(VkPipelineBindPoint point, const PipelineLayout& layout, const Reflection& reflection,
+                           Arguments arguments, std::string_view name) {
+  const BufferSet* tables = tables_among(arguments, name);
+  if (!tables && reflection.tables.empty()) return;
+  const std::span<const Declared> given =
+      tables ? std::span<const Declared>(tables->members()) : std::span<const Declared>();
+  CRSH_ASSERT(std::ranges::equal(given, reflection.tables), "the tables of " + std::string(name) + " are " +
+                                                                names_of(reflection.tables) + ", it is given " +
+                                                                names_of(given) + ", or they are of other kinds");
+  const VkDescriptorSet set = tables->handle();
+  vkCmdBindDescriptorSets(submission_.commands(), point, layout.handle(), table_set, 1, &set, 0, nullptr);
+}
+
+std::vector<Argument> Recorder::in_order(const Reflection& reflection, std::initializer_list<Argument::Bound> bound) {
+  std::vector<Argument> all;
+  for (const Argument::Bound& one : bound) {
+    CRSH_ASSERT(all.size() < reflection.arguments.size(), "too many arguments for " + names_of(reflection.arguments));
+    const std::string_view name = reflection.arguments[all.size()].name;
+    if (const auto* binding = std::get_if<Binding>(&one)) all.emplace_back(name, *binding);
+    if (const auto* image = std::get_if<const Image*>(&one)) all.emplace_back(name, **image);
+    if (const auto* structure = std::get_if<const AccelerationStructure*>(&one)) all.emplace_back(name, **structure);
+  }
+  return all;
 }
 
 void Recorder::dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, Arguments arguments, uint64_t work) {

@@ -46,14 +46,22 @@ class Recorder {
   void stage(Stage stage);
 
   /// Runs `kernel` over `count` invocations (whole workgroups: the shader compares its index with a count of its own).
-  /// `push` is a struct as the shader declares it, `arguments` are bindings 0, 1, ...: number, kind and size are
-  /// asserted against the shader. Nothing is recorded where count is 0. Dispatches go 2-D past 65,535 groups:
-  /// lib/invocation.glsl gives the shader its index. `work` (tests, or elements) is added to the submit's account.
+  /// `push` is a struct as the shader declares it. `arguments` are {"name", buffer or image} by the shader's names, in
+  /// any order, and its tables where it has some: names, kinds and sizes are asserted against the shader. Nothing is
+  /// recorded where count is 0. Dispatches go 2-D past 65,535 groups: lib/invocation.glsl gives the shader its index.
+  /// `work` (tests, or elements) is added to the submit's account.
   template <class Push>
   void dispatch(const Kernel& kernel, uint64_t count, const Push& push, std::initializer_list<Argument> arguments,
                 uint64_t work = 0) {
     static_assert(std::is_trivially_copyable_v<Push>);
-    dispatch_bytes(kernel, count, bytes_of(push), arguments, work);
+    dispatch_bytes(kernel, count, bytes_of(push), {arguments.begin(), arguments.size()}, work);
+  }
+  /// The same with arguments in the order of the shader's bindings.
+  template <class Push>
+  void dispatch(const Kernel& kernel, uint64_t count, const Push& push,
+                std::initializer_list<Argument::Bound> arguments, uint64_t work = 0) {
+    const std::vector<Argument> named = in_order(device_.program(kernel).reflection(), arguments);
+    dispatch_bytes(kernel, count, bytes_of(push), named, work);
   }
 
   /// Builds the device's own hierarchy over `corners`, three vec4 a triangle.
@@ -64,7 +72,13 @@ class Recorder {
   void draw(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count,
             const Push& push, std::initializer_list<Argument> arguments) {
     static_assert(std::is_trivially_copyable_v<Push>);
-    draw_bytes(program, attachments, first, count, bytes_of(push), arguments);
+    draw_bytes(program, attachments, first, count, bytes_of(push), {arguments.begin(), arguments.size()});
+  }
+  template <class Push>
+  void draw(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count,
+            const Push& push, std::initializer_list<Argument::Bound> arguments) {
+    const std::vector<Argument> named = in_order(program.reflection(), arguments);
+    draw_bytes(program, attachments, first, count, bytes_of(push), named);
   }
 
   /// Fills words of a buffer; `words` counts 32-bit words from word `first` on.
@@ -91,7 +105,6 @@ class Recorder {
   }
 
  private:
-  using Arguments = std::initializer_list<Argument>;
   using Bytes = std::span<const std::byte>;
 
   template <class Push>
@@ -100,6 +113,8 @@ class Recorder {
     else return std::as_bytes(std::span(&push, 1));
   }
 
+  [[nodiscard]] static std::vector<Argument> in_order(const Reflection& reflection,
+                                                      std::initializer_list<Argument::Bound> bound);
   void dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, Arguments arguments, uint64_t work);
   void draw_bytes(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count,
                   Bytes push, Arguments arguments);
@@ -109,6 +124,9 @@ class Recorder {
   /// Binds pipeline, arguments and push constants, asserting that they are what the shader declares.
   void bind(VkPipelineBindPoint point, VkPipeline pipeline, const PipelineLayout& layout, const Reflection& reflection,
             Bytes push, Arguments arguments, std::string_view name);
+  /// Binds the tables among the arguments, asserting that they are the shader's.
+  void bind_tables(VkPipelineBindPoint point, const PipelineLayout& layout, const Reflection& reflection,
+                   Arguments arguments, std::string_view name);
   void begin_rendering(const Attachments& attachments);
 
   Device& device_;

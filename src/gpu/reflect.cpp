@@ -1,15 +1,17 @@
-// The small part of SPIR-V reflection that dispatches need: set 0, the push block's size, the workgroup's size.
+// The small part of SPIR-V reflection that dispatches need: the two sets, the push block's size, the workgroup's size.
 
 #include <spirv/unified1/spirv.h>
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "crsh/assertion.h"
 #include "gpu/embedded.h"
-#include "gpu/program.h"
+#include "gpu/reflection.h"
 
 namespace crsh::gpu {
 namespace {
@@ -36,16 +38,17 @@ struct MemberLayout {
   uint32_t offset = 0, matrix_stride = 0;
 };
 
-/// A parsed module: definitions and decorations by id.
+/// A parsed module: definitions, names and decorations by id.
 struct Module {
   std::map<uint32_t, Definition> definitions;
   std::vector<uint32_t> variables;
-  std::map<uint32_t, uint32_t> binding, set, array_stride, spec_id;
+  std::map<uint32_t, std::string> names, last_member_names;
+  std::map<uint32_t, uint32_t> binding, set, array_stride, spec_id, location;
   std::map<uint32_t, bool> buffer_block;
   std::map<uint32_t, std::vector<MemberLayout>> members;
   std::array<uint32_t, 3> local_size = {1, 1, 1};
   uint32_t workgroup_size = 0;  ///< id of the constant that replaces local_size, if any
-  bool tells_lanes_apart = false;
+  bool tells_lanes_apart = false, is_fragment = false;
 
   [[nodiscard]] const Definition& at(uint32_t id) const { return definitions.at(id); }
 };
@@ -57,6 +60,7 @@ void decorate(Module& module, std::span<const uint32_t> operands) {
     case SpvDecorationDescriptorSet: module.set[id] = operands[2]; break;
     case SpvDecorationArrayStride: module.array_stride[id] = operands[2]; break;
     case SpvDecorationSpecId: module.spec_id[id] = operands[2]; break;
+    case SpvDecorationLocation: module.location[id] = operands[2]; break;
     case SpvDecorationBufferBlock: module.buffer_block[id] = true; break;
     case SpvDecorationBuiltIn:
       if (operands[2] == SpvBuiltInWorkgroupSize) module.workgroup_size = id;
@@ -80,7 +84,7 @@ size_t result_place(SpvOp op) {
   switch (op) {
     case SpvOpTypeInt: case SpvOpTypeFloat: case SpvOpTypeBool: case SpvOpTypeVector: case SpvOpTypeMatrix:
     case SpvOpTypeArray: case SpvOpTypeRuntimeArray: case SpvOpTypeStruct: case SpvOpTypePointer: case SpvOpTypeImage:
-    case SpvOpTypeAccelerationStructureKHR:
+    case SpvOpTypeSampledImage: case SpvOpTypeAccelerationStructureKHR:
       return 0;
     case SpvOpConstant: case SpvOpSpecConstant: case SpvOpConstantComposite: case SpvOpSpecConstantComposite:
     case SpvOpVariable:
@@ -90,7 +94,21 @@ size_t result_place(SpvOp op) {
   // clang-format on
 }
 
+/// A string literal: bytes in words, ended by a zero.
+std::string text_of(std::span<const uint32_t> words) {
+  const char* bytes = reinterpret_cast<const char*>(words.data());
+  return {bytes, strnlen(bytes, words.size_bytes())};
+}
+
+void take_name(Module& module, SpvOp op, std::span<const uint32_t> operands) {
+  if (op == SpvOpName) module.names[operands[0]] = text_of(operands.subspan(1));
+  if (op == SpvOpMemberName)
+    module.last_member_names[operands[0]] = text_of(operands.subspan(2));  // they come in order
+}
+
 void take(Module& module, SpvOp op, std::span<const uint32_t> operands) {
+  take_name(module, op, operands);
+  if (op == SpvOpEntryPoint) module.is_fragment = operands[0] == SpvExecutionModelFragment;
   if (op == SpvOpDecorate) decorate(module, operands);
   if (op == SpvOpMemberDecorate) decorate_member(module, operands);
   if (op == SpvOpExecutionMode && operands[1] == SpvExecutionModeLocalSize)
@@ -149,6 +167,15 @@ uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout
   }
 }
 
+Resource image_kind(const Module& module, const Definition& type) {
+  if (type.op == SpvOpTypeSampledImage) {
+    require(module.at(type.operands[1]).operands[2] == SpvDimBuffer, "of samplers, only texel buffers are supported");
+    return Resource::texel_buffer;
+  }
+  require(type.op == SpvOpTypeImage && type.operands[6] == 2, "of images, only single storage images are supported");
+  return Resource::storage_image;
+}
+
 /// The kind of resource a variable is, or none for inputs, outputs and the like.
 std::optional<Resource> resource_of(const Module& module, SpvStorageClass storage, uint32_t pointee) {
   if (storage == SpvStorageClassStorageBuffer) return Resource::storage_buffer;
@@ -159,21 +186,37 @@ std::optional<Resource> resource_of(const Module& module, SpvStorageClass storag
   }
   if (storage != SpvStorageClassUniformConstant) return std::nullopt;
   const Definition& type = module.at(pointee);
-  if (type.op == SpvOpTypeAccelerationStructureKHR) return Resource::acceleration_structure;
-  require(type.op == SpvOpTypeImage && type.operands[6] == 2, "of images, only single storage images are supported");
-  return Resource::storage_image;
+  return type.op == SpvOpTypeAccelerationStructureKHR ? Resource::acceleration_structure : image_kind(module, type);
 }
 
-void add_variable(const Module& module, uint32_t id, std::map<uint32_t, Resource>& resources, uint32_t& push_bytes) {
+std::string name_of(const Module& module, uint32_t variable, Resource kind, uint32_t pointee) {
+  const auto& names = kind == Resource::storage_buffer ? module.last_member_names : module.names;
+  const auto found = names.find(kind == Resource::storage_buffer ? pointee : variable);
+  require(found != names.end() && !found->second.empty(), "it lacks its names: compile without -g0");
+  return found->second;
+}
+
+/// What modules declare together, bindings with gaps included.
+struct Interface {
+  bool operator==(const Interface&) const = default;
+  std::map<uint32_t, Declared> arguments, tables;  ///< by binding
+  uint32_t push_bytes = 0;
+};
+
+void add_variable(const Module& module, uint32_t id, Interface& all) {
   const auto operands = module.at(id).operands;  // pointer type, id, storage class
   const auto storage = static_cast<SpvStorageClass>(operands[2]);
   const uint32_t pointee = module.at(operands[0]).operands[2];
-  if (storage == SpvStorageClassPushConstant) push_bytes = std::max(push_bytes, struct_size(module, pointee));
-  const std::optional<Resource> resource = resource_of(module, storage, pointee);
-  if (!resource) return;
-  require(module.set.at(id) == 0, "only descriptor set 0 is supported");
-  const auto [known, added] = resources.try_emplace(module.binding.at(id), *resource);
-  require(known->second == *resource, "one binding is two kinds of resource");
+  if (storage == SpvStorageClassPushConstant) all.push_bytes = std::max(all.push_bytes, struct_size(module, pointee));
+  const std::optional<Resource> kind = resource_of(module, storage, pointee);
+  if (!kind) return;
+  const uint32_t set = module.set.at(id);
+  require(set <= table_set, "only descriptor sets 0 and 1 are supported");
+  const Declared declared{name_of(module, id, *kind, pointee), *kind};
+  const auto [known, added] =
+      (set == table_set ? all.tables : all.arguments).try_emplace(module.binding.at(id), declared);
+  require(known->second.kind == *kind, "one binding is two kinds of resource");
+  require(known->second == declared, "one binding has two names, " + known->second.name + " and " + declared.name);
 }
 
 void set_local_size(const Module& module, Reflection& reflection) {
@@ -187,35 +230,53 @@ void set_local_size(const Module& module, Reflection& reflection) {
   }
 }
 
+uint32_t count_colours(const Module& module) {
+  return static_cast<uint32_t>(std::ranges::count_if(module.variables, [&](uint32_t id) {
+    return module.is_fragment && module.at(id).operands[2] == SpvStorageClassOutput && module.location.contains(id);
+  }));
+}
+
+/// By binding; asserts that bindings count up and that names tell them apart.
+std::vector<Declared> in_order(const std::map<uint32_t, Declared>& bindings, const std::string& set) {
+  std::vector<Declared> all;
+  std::set<std::string> names;
+  for (const auto& [binding, declared] : bindings) {
+    require(binding == all.size(), "bindings of set " + set + " must count from 0 without gaps");
+    require(names.insert(declared.name).second, "two bindings are called " + declared.name);
+    all.push_back(declared);
+  }
+  return all;
+}
+
 Reflection reflect_all(std::span<const std::span<const uint32_t>> modules) {
   Reflection reflection;
-  std::map<uint32_t, Resource> resources;
+  Interface all;
   for (const std::span<const uint32_t>& spirv : modules) {
     const Module module = parse(spirv);
-    for (const uint32_t id : module.variables) add_variable(module, id, resources, reflection.push_bytes);
+    for (const uint32_t id : module.variables) add_variable(module, id, all);
     set_local_size(module, reflection);
     reflection.tells_lanes_apart |= module.tells_lanes_apart;
+    reflection.colour_attachments += count_colours(module);
   }
-  for (const auto& [binding, resource] : resources) {
-    require(binding == reflection.resources.size(), "bindings must count from 0 without gaps");
-    reflection.resources.push_back(resource);
-  }
+  reflection.arguments = in_order(all.arguments, "0");
+  reflection.tables = in_order(all.tables, "1");
+  reflection.push_bytes = all.push_bytes;
   require(reflection.push_bytes <= max_push_bytes, "a push block of more than 128 bytes");
   return reflection;
 }
 
-/// What a module declares by itself, bindings with gaps included.
-struct Declared {
-  bool operator==(const Declared&) const = default;
-  std::map<uint32_t, Resource> resources;
-  uint32_t push_bytes = 0;
-};
-
-Declared declared_by(std::span<const uint32_t> spirv) {
+Interface interface_of(std::span<const uint32_t> spirv) {
   const Module module = parse(spirv);
-  Declared declared;
-  for (const uint32_t id : module.variables) add_variable(module, id, declared.resources, declared.push_bytes);
-  return declared;
+  Interface all;
+  for (const uint32_t id : module.variables) add_variable(module, id, all);
+  return all;
+}
+
+/// With the names taken off.
+std::vector<std::pair<uint32_t, Resource>> kinds_of(const std::map<uint32_t, Declared>& bindings) {
+  std::vector<std::pair<uint32_t, Resource>> kinds;
+  for (const auto& [binding, declared] : bindings) kinds.emplace_back(binding, declared.kind);
+  return kinds;
 }
 
 }  // namespace
@@ -230,12 +291,20 @@ Reflection reflect_together(std::span<const std::span<const uint32_t>> modules) 
 
 std::string misfit(std::string_view file, std::span<const uint32_t> words) {
   try {
-    const Declared now = declared_by(words), before = declared_by(embedded_spirv(file));
-    if (now.resources != before.resources) return "its bindings have changed";
+    const Interface now = interface_of(words), before = interface_of(embedded_spirv(file));
+    if (kinds_of(now.arguments) != kinds_of(before.arguments) || kinds_of(now.tables) != kinds_of(before.tables))
+      return "its bindings have changed";
+    if (now.arguments != before.arguments || now.tables != before.tables) return "its bindings' names have changed";
     return now.push_bytes == before.push_bytes ? "" : "its push constants have changed";
   } catch (const Unreadable& shader) {
     return shader.why;
   }
+}
+
+std::string names_of(std::span<const Declared> declared) {
+  std::string text;
+  for (const Declared& one : declared) text += (text.empty() ? "" : ", ") + one.name;
+  return text.empty() ? "nothing" : text;
 }
 
 Reflection reflect(std::span<const uint32_t> spirv) { return reflect_together({&spirv, 1}); }

@@ -26,7 +26,7 @@ struct Pass {
 
 /// Runs a kernel over the pass's lanes, a part of their runs a dispatch: an invocation's loops must stay short.
 void dispatch_parts(gpu::Recorder& recorder, const gpu::Kernel& kernel, const Pass& pass,
-                    std::initializer_list<gpu::Argument> arguments) {
+                    std::initializer_list<gpu::Argument::Bound> arguments) {
   constexpr uint32_t steps = 131072;  // a quarter of them loop iterations
   for (uint32_t first = 0; first < pass.shape.run; first += steps) {
     const Push push{pass.n, pass.lanes(), pass.shape.run, first, steps, pass.shift, (1u << pass.bits) - 1};

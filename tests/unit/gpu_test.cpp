@@ -58,7 +58,7 @@ TEST_CASE("a dispatch past 65,535 workgroups reaches every element and none twic
   Buffer numbers(device, count * sizeof(uint32_t), "numbers");
   Recorder recorder(device);
   recorder.fill(numbers, 0xFFFFFFFF, count);
-  recorder.dispatch("primitives/iota", count, Count{count}, {numbers});
+  recorder.dispatch("primitives/iota", count, Count{count}, {{"numbers", numbers}});
   recorder.submit();
   CHECK(download<uint32_t>(device, numbers, count) == counted(count));
 }
@@ -66,7 +66,7 @@ TEST_CASE("a dispatch past 65,535 workgroups reaches every element and none twic
 TEST_CASE("a dispatch over nothing records nothing") {
   Buffer numbers(test::device(), 16, "numbers");
   Recorder recorder(test::device());
-  recorder.dispatch("primitives/iota", 0, Count{0}, {numbers});
+  recorder.dispatch("primitives/iota", 0, Count{0}, {{"numbers", numbers}});
   recorder.submit();
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("part of a buffer is bound by offset and bytes") {
   Buffer numbers(device, 2 * alignment, "numbers");
   Recorder recorder(device);
   recorder.fill(numbers, 7, 2 * skipped);
-  recorder.dispatch("primitives/iota", skipped, Count{skipped}, {Binding(numbers, alignment, alignment)});
+  recorder.dispatch("primitives/iota", skipped, Count{skipped}, {{"numbers", Binding(numbers, alignment, alignment)}});
   std::vector<uint32_t> expected(skipped, 7);
   for (uint32_t i = 0; i < skipped; ++i) expected.push_back(i);
   CHECK(recorder.read<uint32_t>(numbers, 2 * skipped) == expected);
@@ -88,7 +88,7 @@ TEST_CASE("commands see each other's results in the order of recording") {
   const uint32_t count = 1000;
   Buffer first(device, count * sizeof(uint32_t), "first"), second(device, count * sizeof(uint32_t), "second");
   Recorder recorder(device);
-  recorder.dispatch("primitives/iota", count, Count{count}, {first});
+  recorder.dispatch("primitives/iota", count, Count{count}, {{"numbers", first}});
   recorder.fill(first, 5, 1, 3);
   recorder.copy(first, 0, second, 0, first.bytes());
   recorder.fill(first, 9, count);
@@ -103,7 +103,7 @@ TEST_CASE("a read larger than the staging of a recorder is whole") {
   const uint32_t count = 100'000;
   Buffer numbers(device, count * sizeof(uint32_t), "numbers");
   Recorder recorder(device);
-  recorder.dispatch("primitives/iota", count, Count{count}, {numbers});
+  recorder.dispatch("primitives/iota", count, Count{count}, {{"numbers", numbers}});
   CHECK(recorder.read<uint32_t>(numbers, count) == counted(count));
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a submit holds more dispatches than one descriptor pool holds sets") 
   Buffer numbers(device, 64, "numbers");
   Recorder recorder(device);
   for (int round = 0; round < 2; ++round) {
-    for (int i = 0; i < 1000; ++i) recorder.dispatch("primitives/iota", 16, Count{16}, {numbers});
+    for (int i = 0; i < 1000; ++i) recorder.dispatch("primitives/iota", 16, Count{16}, {{"numbers", numbers}});
     CHECK(recorder.read<uint32_t>(numbers, 16) == counted(16));
   }
 }
@@ -124,7 +124,7 @@ TEST_CASE("times go to the stage that is under way, however often it changes") {
   Recorder recorder(device);
   for (int i = 0; i < 1500; ++i) {  // more than the profiler has queries
     recorder.stage(i % 2 ? Stage::shading : Stage::raster);
-    if (i % 2) recorder.dispatch("primitives/iota", count, Count{count}, {numbers});
+    if (i % 2) recorder.dispatch("primitives/iota", count, Count{count}, {{"numbers", numbers}});
   }
   recorder.submit();
   const auto times = recorder.profiler().take_milliseconds();
@@ -138,17 +138,17 @@ TEST_CASE("submit_past submits once the recorded work has reached the bound") {
   Buffer numbers(device, 64, "numbers");
   Recorder recorder(device);
   recorder.fill(numbers, 0, 16);
-  recorder.dispatch("primitives/iota", 16, Count{16}, {numbers}, 10);
+  recorder.dispatch("primitives/iota", 16, Count{16}, {{"numbers", numbers}}, 10);
   recorder.submit_past(11);
   CHECK(download<uint32_t>(device, numbers, 16) != counted(16));
-  recorder.dispatch("primitives/iota", 16, Count{16}, {numbers}, 1);
+  recorder.dispatch("primitives/iota", 16, Count{16}, {{"numbers", numbers}}, 1);
   recorder.submit_past(11);
   CHECK(download<uint32_t>(device, numbers, 16) == counted(16));
 }
 
 bool needs_ray_queries(std::string_view file) {
-  const std::vector<Resource> resources = reflect(embedded_spirv(file)).resources;
-  return std::ranges::find(resources, Resource::acceleration_structure) != resources.end();
+  const std::vector<Declared> arguments = reflect(embedded_spirv(file)).arguments;
+  return std::ranges::find(arguments, Resource::acceleration_structure, &Declared::kind) != arguments.end();
 }
 
 TEST_CASE("every embedded compute shader that this device can use becomes a program") {
@@ -165,7 +165,7 @@ TEST_CASE("every embedded compute shader that this device can use becomes a prog
 
 TEST_CASE("the reflection of a shader has its bindings, push block and workgroup") {
   const Reflection reflection = reflect(embedded_spirv("primitives/iota.comp"));
-  CHECK(reflection.resources == std::vector{Resource::storage_buffer});
+  CHECK(reflection.arguments == std::vector{Declared{"numbers", Resource::storage_buffer}});
   CHECK(reflection.push_bytes == sizeof(Count));
   CHECK(reflection.local_size[0] == 64);
   CHECK(reflection.local_size_id[0] == Reflection::no_constant);
