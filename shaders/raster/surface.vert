@@ -18,9 +18,8 @@ vec4 projected(vec3 point) {
 }
 
 void hand_over_vertex(uint corner) {
-  Source source = sources[drawn_triangle];
-  Instance instance = instances[source.instance];
-  Vertex vertex = vertices[corners_of(source, instance.normal0.w != 0.0)[corner]];
+  Instance instance = instances[instance_of(drawn_triangle)];
+  Vertex vertex = vertices[vertices_of(drawn_triangle, instance.normal0.w != 0.0)[corner]];
   normal = normal_to_world(instance, vertex.normal);
   colour = unpackUnorm4x8(vertex.colour);
   texcoords = vec4(vertex.uv0, vertex.uv1);
@@ -29,11 +28,10 @@ void hand_over_vertex(uint corner) {
 void main() {
   drawn_triangle = uint(gl_VertexIndex) / 3u;
   uint corner = uint(gl_VertexIndex) % 3u;
-  vec4 a = corner_a[drawn_triangle];
-  vec3 b = corner_b[drawn_triangle].xyz, c = corner_c[drawn_triangle].xyz;
-  front = front_normal(a.xyz, b, c);
-  position = corner == 0u ? a.xyz : corner == 1u ? b : c;
+  Corners at = corners_at(drawn_triangle);
+  front = front_normal(at.a, at.b, at.c);
+  position = corner == 0u ? at.a : corner == 1u ? at.b : at.c;
   hand_over_vertex(corner);
-  bool passes = (floatBitsToUint(a.w) & triangle_cull_back) != 0u && !meets_front(front, eye_ray(a.xyz));
+  bool passes = (flags_of(drawn_triangle) & triangle_cull_back) != 0u && !meets_front(front, eye_ray(at.a));
   gl_Position = passes ? vec4(2.0, 2.0, 2.0, 1.0) : projected(position);
 }

@@ -1,4 +1,4 @@
-// The camera, as the raster pass's two shaders push it (C++: raster.cpp), and the scene's tables.
+// The camera, as the raster pass's two shaders push it (C++: raster.cpp).
 
 layout(push_constant, scalar) uniform Push {
   vec3 eye;
@@ -12,8 +12,6 @@ layout(push_constant, scalar) uniform Push {
   vec2 shift;       // of the image, in half widths and half heights: where in its pixel the sample lies
   float far_plane;  // orthographic only
 };
-
-#define SCENE_BINDING 0
 
 /// Unit direction of the ray that the eye sends through `point`.
 vec3 eye_ray(vec3 point) { return orthographic == 1.0 ? forward : exact_normalize(point - eye); }

@@ -37,6 +37,6 @@ void main() {
   vec3 c = to_world(instance, positions[mirrored ? triangle.y : triangle.z]);
   corner_a[i] = vec4(a, uintBitsToFloat(triangle.w));
   corner_b[i] = vec4(b, uintBitsToFloat(source.instance));
-  corner_c[i] = vec4(c, 0.0);
+  corner_c[i] = vec4(c, uintBitsToFloat(source.triangle));
   triangle_spheres[i] = smallest_sphere(a, b, c);
 }

@@ -1,5 +1,5 @@
 // The material at a point of a drawn triangle: one function, surface_of, for the raster pass and for the hits of every
-// bounce. Needs SCENE_BINDING (scene/tables.glsl).
+// bounce.
 
 #include "scene/tables.glsl"
 #include "lib/surface.glsl"
@@ -17,16 +17,15 @@ vec3 normal_to_world(Instance instance, vec3 normal) {
   return vec3(dot(instance.normal0.xyz, normal), dot(instance.normal1.xyz, normal), dot(instance.normal2.xyz, normal));
 }
 
-/// Which stored vertices the corners a, b, c are: a mirrored instance has swapped b and c.
-uvec3 corners_of(Source source, bool mirrored) {
-  uvec3 corner = triangles[source.triangle].xyz;
+/// Which stored vertices a drawn triangle's corners a, b, c are: a mirrored instance has swapped b and c.
+uvec3 vertices_of(uint triangle, bool mirrored) {
+  uvec3 corner = triangles[stored_of(triangle)].xyz;
   return mirrored ? corner.xzy : corner;
 }
 
 Attributes attributes_at(uint triangle, vec3 weights) {
-  Source source = sources[triangle];
-  Instance instance = instances[source.instance];
-  uvec3 corner = corners_of(source, instance.normal0.w != 0.0);
+  Instance instance = instances[instance_of(triangle)];
+  uvec3 corner = vertices_of(triangle, instance.normal0.w != 0.0);
   Attributes sum = Attributes(vec3(0.0), vec4(0.0), vec2(0.0), vec2(0.0));
   for (int i = 0; i < 3; ++i) {
     Vertex vertex = vertices[corner[i]];

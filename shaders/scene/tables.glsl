@@ -1,34 +1,54 @@
-// The scene's tables as shaders see them, bound from SCENE_BINDING on in this order (C++: scene::GpuScene).
+// The scene's tables, bound whole as set 1 (C++: scene::GpuScene::tables, in the same order). Corners, textures and
+// texels are texel buffers: as storage buffers they would be more than many devices can bind. They are read as
+// integers, because a device may flush tiny floats to zero, and flags and numbers look like these.
 
 #include "shared/limits.h"
 #include "shared/scene.h"
 
-layout(binding = SCENE_BINDING + 0, scalar) readonly buffer CornersA { vec4 corner_a[]; };
-layout(binding = SCENE_BINDING + 1, scalar) readonly buffer CornersB { vec4 corner_b[]; };
-layout(binding = SCENE_BINDING + 2, scalar) readonly buffer CornersC { vec4 corner_c[]; };
-layout(binding = SCENE_BINDING + 3, scalar) readonly buffer Sources { Source sources[]; };
-layout(binding = SCENE_BINDING + 4, scalar) readonly buffer Triangles { uvec4 triangles[]; };
-layout(binding = SCENE_BINDING + 5, scalar) readonly buffer Vertices { Vertex vertices[]; };
-layout(binding = SCENE_BINDING + 6, scalar) readonly buffer Instances { Instance instances[]; };
-layout(binding = SCENE_BINDING + 7, scalar) readonly buffer Materials { Material materials[]; };
-layout(binding = SCENE_BINDING + 8, scalar) readonly buffer Textures { uvec4 textures[]; };  // Texture, one load each
-layout(binding = SCENE_BINDING + 9, scalar) readonly buffer Texels0 { uint texels0[]; };
-layout(binding = SCENE_BINDING + 10, scalar) readonly buffer Texels1 { uint texels1[]; };
-layout(binding = SCENE_BINDING + 11, scalar) readonly buffer Texels2 { uint texels2[]; };
-layout(binding = SCENE_BINDING + 12, scalar) readonly buffer Texels3 { uint texels3[]; };
+layout(set = 1, binding = 0) uniform usamplerBuffer corner_a;  // of a drawn triangle: bits of a vec4 (shared/scene.h)
+layout(set = 1, binding = 1) uniform usamplerBuffer corner_b;
+layout(set = 1, binding = 2) uniform usamplerBuffer corner_c;
+layout(set = 1, binding = 3, scalar) readonly buffer Triangles { uvec4 triangles[]; };  // as stored
+layout(set = 1, binding = 4, scalar) readonly buffer Vertices { Vertex vertices[]; };
+layout(set = 1, binding = 5, scalar) readonly buffer Instances { Instance instances[]; };
+layout(set = 1, binding = 6, scalar) readonly buffer Materials { Material materials[]; };
+layout(set = 1, binding = 7) uniform usamplerBuffer textures;  // Texture, a texel each
+layout(set = 1, binding = 8) uniform usamplerBuffer texels0;   // a page each: RGBA8 a word
+layout(set = 1, binding = 9) uniform usamplerBuffer texels1;
+layout(set = 1, binding = 10) uniform usamplerBuffer texels2;
+layout(set = 1, binding = 11) uniform usamplerBuffer texels3;
 
 uint texel_word(uint page, uint index) {
-  if (page == 0u) return texels0[index];
-  if (page == 1u) return texels1[index];
-  if (page == 2u) return texels2[index];
-  return texels3[index];
+  int i = int(index);
+  if (page == 0u) return texelFetch(texels0, i).x;
+  if (page == 1u) return texelFetch(texels1, i).x;
+  if (page == 2u) return texelFetch(texels2, i).x;
+  return texelFetch(texels3, i).x;
 }
 
 Texture texture_of(uint i) {
-  uvec4 words = textures[i];
+  uvec4 words = texelFetch(textures, int(i));
   return Texture(words.x, words.y, words.z, words.w);
 }
 
-uint flags_of(uint triangle) { return floatBitsToUint(corner_a[triangle].w); }
+/// A drawn triangle's corners in world space.
+struct Corners {
+  vec3 a;
+  vec3 b;
+  vec3 c;
+};
+
+Corners corners_at(uint triangle) {
+  int i = int(triangle);
+  return Corners(uintBitsToFloat(texelFetch(corner_a, i).xyz), uintBitsToFloat(texelFetch(corner_b, i).xyz),
+                 uintBitsToFloat(texelFetch(corner_c, i).xyz));
+}
+
+uint flags_of(uint triangle) { return texelFetch(corner_a, int(triangle)).w; }
+
+uint instance_of(uint triangle) { return texelFetch(corner_b, int(triangle)).w; }
+
+/// The stored triangle that a drawn one is an instance of.
+uint stored_of(uint triangle) { return texelFetch(corner_c, int(triangle)).w; }
 
 Material material_of(uint triangle) { return materials[flags_of(triangle) & triangle_material_mask]; }

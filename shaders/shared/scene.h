@@ -5,7 +5,8 @@
 CRSH_SHARED_BEGIN
 
 // A drawn triangle's corners in world space lie in three buffers of vec4 (a, b, c), counter-clockwise seen from the
-// front, also where the instance mirrors. a.w: bits of the flags below and the material; b.w: bits of the instance.
+// front, also where the instance mirrors. a.w: bits of the flags below and the material; b.w: bits of the instance;
+// c.w: bits of the stored triangle's number.
 CRSH_CONST uint triangle_cull_back = 1u << 31;     ///< single-sided: eye, reflection and refraction rays pass its back
 CRSH_CONST uint triangle_transmissive = 1u << 30;  ///< a shadow ray is tinted, not blocked
 CRSH_CONST uint triangle_material_mask = (1u << 30) - 1u;
@@ -35,8 +36,7 @@ struct Instance {
   vec4 normal2;
 };
 
-/// A texture as the shader samples it: one word of 16 bytes. Texels are RGBA8 words in up to four storage buffers
-/// (pages).
+/// A texture as the shader samples it: one word of 16 bytes. Texels are RGBA8 words in up to four buffers (pages).
 struct Texture {
   uint first;  ///< index of its first texel in the page
   uint width;

@@ -20,9 +20,8 @@ layout(binding = 1, scalar) readonly buffer Slots { uint slot_of[]; };
 layout(binding = 2, scalar) readonly buffer Hits { Hit hits[]; };
 layout(binding = 3, scalar) readonly buffer ParentDiffuses { vec4 parent_diffuse[]; };
 layout(binding = 4, scalar) readonly buffer ParentSpeculars { vec4 parent_specular[]; };
-#define SCENE_BINDING 5
 #include "scene/surface.glsl"
-#define SURFACES_BINDING 18
+#define SURFACES_BINDING 5
 #include "surfaces/surfaces.glsl"
 
 void main() {
@@ -37,11 +36,11 @@ void main() {
     store_nothing(first_out + i, ray.direction.xyz, pixel, path);
     return;
   }
-  vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
-  vec3 weights = barycentrics(ray.origin.xyz, ray.direction.xyz, a, b, c);
+  Corners at = corners_at(triangle);
+  vec3 weights = barycentrics(ray.origin.xyz, ray.direction.xyz, at.a, at.b, at.c);
   Material material = material_of(triangle);
-  Surface found = surface_of(material, attributes_at(triangle, weights), point_at(weights, a, b, c),
-                             front_normal(a, b, c), ray.direction.xyz);
+  Surface found = surface_of(material, attributes_at(triangle, weights), point_at(weights, at.a, at.b, at.c),
+                             front_normal(at.a, at.b, at.c), ray.direction.xyz);
   store_surface(first_out + i, triangle, found, ray.direction.xyz, pixel, path,
                 dielectric_share(material, found.metallic));
 }

@@ -21,9 +21,8 @@ layout(binding = 1, rgba32f) readonly uniform image2D normals;
 layout(binding = 2, rgba32f) readonly uniform image2D diffuses;
 layout(binding = 3, rgba32f) readonly uniform image2D speculars;
 layout(binding = 4, r32ui) readonly uniform uimage2D ids;
-#define SCENE_BINDING 5
 #include "scene/surface.glsl"
-#define SURFACES_BINDING 18
+#define SURFACES_BINDING 5
 #include "surfaces/surfaces.glsl"
 
 /// The material without the textures that the attachments already hold.
@@ -34,13 +33,13 @@ Material emissive_only(Material material) {
 
 /// What the attachments leave out, from the triangle.
 void complete(inout Surface found, uint triangle, Material material, vec3 incoming) {
-  vec3 a = corner_a[triangle].xyz, b = corner_b[triangle].xyz, c = corner_c[triangle].xyz;
-  vec3 front = front_normal(a, b, c);
+  Corners corners = corners_at(triangle);
+  vec3 front = front_normal(corners.a, corners.b, corners.c);
   found.geometric = turned_normal(front, incoming);
   found.eta = eta_of(material, meets_front(front, incoming));
   found.emission = material.emissive_metallic.rgb;
   if (material.textures.z != none) {
-    Attributes at = attributes_at(triangle, weights_at(found.position, a, b, c));
+    Attributes at = attributes_at(triangle, weights_at(found.position, corners.a, corners.b, corners.c));
     found.emission *= texels_at(emissive_only(material), at).emissive.rgb;
   }
 }

@@ -77,9 +77,7 @@ void rasterise(gpu::Recorder& recorder, const In& in, GBuffer& out) {
   uint32_t first = 0;
   do {
     const uint32_t count = std::min(s.triangle_count - first, submit_triangles);
-    recorder.draw(*out.program, {colours, &out.depth, first == 0}, 3 * first, 3 * count, push_of(in),
-                  {s.corner_a, s.corner_b, s.corner_c, s.sources, s.triangles, s.vertices, s.instances, s.materials,
-                   s.textures, s.texels[0], s.texels[1], s.texels[2], s.texels[3]});
+    recorder.draw(*out.program, {colours, &out.depth, first == 0}, 3 * first, 3 * count, push_of(in), {s.tables});
     first += count;
     if (first < s.triangle_count) recorder.submit();
   } while (first < s.triangle_count);

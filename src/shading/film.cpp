@@ -74,7 +74,7 @@ void add_geometry(gpu::Recorder& recorder, const SampleIn& in, const Film& film)
   }
   if (film.layers.has_any({LayerId::object, LayerId::material}))
     recorder.dispatch("shading/film_ids", s.count, s.count,
-                      {s.diffuse, s.position, in.scene.corner_a, in.scene.corner_b, film.ids});
+                      {in.scene.tables, {"diffuse_pixel", s.diffuse}, {"positions", s.position}, {"ids", film.ids}});
 }
 
 }  // namespace

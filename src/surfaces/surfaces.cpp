@@ -54,13 +54,20 @@ void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surf
                         in.first,
                         in.count};
   const raster::GBuffer& g = in.gbuffer;
-  const scene::GpuScene& s = in.scene;
   recorder.dispatch("surfaces/from_raster", in.count, push,
-                    {&g.position,        &g.normal,         &g.diffuse,       &g.specular,       &g.triangle,
-                     s.corner_a,         s.corner_b,        s.corner_c,       s.sources,         s.triangles,
-                     s.vertices,         s.instances,       s.materials,      s.textures,        s.texels[0],
-                     s.texels[1],        s.texels[2],       s.texels[3],      surfaces.position, surfaces.normal,
-                     surfaces.geometric, surfaces.incoming, surfaces.diffuse, surfaces.specular, generation.emission});
+                    {in.scene.tables,
+                     {"positions", g.position},
+                     {"normals", g.normal},
+                     {"diffuses", g.diffuse},
+                     {"speculars", g.specular},
+                     {"ids", g.triangle},
+                     {"out_position", surfaces.position},
+                     {"out_normal", surfaces.normal},
+                     {"out_geometric", surfaces.geometric},
+                     {"out_incoming", surfaces.incoming},
+                     {"out_diffuse", surfaces.diffuse},
+                     {"out_specular", surfaces.specular},
+                     {"out_emission", generation.emission}});
 }
 
 void from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces& surfaces, Generation& generation) {
@@ -70,33 +77,20 @@ void from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces& surfaces
   surfaces.count = generation.count = end;
   clear_direct(recorder, generation, children.first_child, in.count);
   const HitsPush push{children.first_ray, in.count, children.surfaces, children.first_surface, children.first_child};
-  const scene::GpuScene& s = in.scene;
   recorder.dispatch("surfaces/from_hits", in.count, push,
-                    {in.rays,
-                     in.slots,
-                     in.hits,
-                     in.parents.diffuse,
-                     in.parents.specular,
-                     s.corner_a,
-                     s.corner_b,
-                     s.corner_c,
-                     s.sources,
-                     s.triangles,
-                     s.vertices,
-                     s.instances,
-                     s.materials,
-                     s.textures,
-                     s.texels[0],
-                     s.texels[1],
-                     s.texels[2],
-                     s.texels[3],
-                     surfaces.position,
-                     surfaces.normal,
-                     surfaces.geometric,
-                     surfaces.incoming,
-                     surfaces.diffuse,
-                     surfaces.specular,
-                     generation.emission});
+                    {in.scene.tables,
+                     {"rays", in.rays},
+                     {"slot_of", in.slots},
+                     {"hits", in.hits},
+                     {"parent_diffuse", in.parents.diffuse},
+                     {"parent_specular", in.parents.specular},
+                     {"out_position", surfaces.position},
+                     {"out_normal", surfaces.normal},
+                     {"out_geometric", surfaces.geometric},
+                     {"out_incoming", surfaces.incoming},
+                     {"out_diffuse", surfaces.diffuse},
+                     {"out_specular", surfaces.specular},
+                     {"out_emission", generation.emission}});
 }
 
 }  // namespace crsh::surfaces

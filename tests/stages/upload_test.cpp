@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "crsh/error.h"
 #include "scene/device/device_materials.h"
 #include "scene/device/texel_pages.h"
 #include "scene/device/world_lights.h"
@@ -59,6 +60,7 @@ TEST_CASE("drawn triangles are the instances' triangles, and mirrored ones keep 
     const bool mirrored = instance % 2 == 1;
     const glm::uvec3 corner = mesh.triangles[i % 40];
     CHECK(std::bit_cast<uint32_t>(b[i].w) == instance);
+    CHECK(std::bit_cast<uint32_t>(c[i].w) == small.scene.instances[instance].mesh * 40 + i % 40);
     CHECK(glm::distance(glm::dvec3(a[i]), moved(m, mesh.positions[corner.x])) < 1e-4);
     CHECK(glm::distance(glm::dvec3(b[i]), moved(m, mesh.positions[mirrored ? corner.z : corner.y])) < 1e-4);
     CHECK(glm::distance(glm::dvec3(c[i]), moved(m, mesh.positions[mirrored ? corner.y : corner.z])) < 1e-4);
@@ -107,6 +109,24 @@ TEST_CASE("a scene without triangles, textures and lights can be uploaded and bo
   CHECK(gpu.corner_a.bytes() > 0);
   CHECK(gpu.texels[3].bytes() > 0);
   CHECK(gpu.lights.bytes() > 0);
+}
+
+TEST_CASE("pages are cut to what a texel buffer holds, and more drawn triangles than that are refused by name") {
+  gpu::DeviceRequest request;
+  request.max_texels = 16;
+  gpu::Device device(request);
+  SmallScene small;
+  scene::Material textured = test::matt(glm::vec3(1));
+  textured.base_colour_texture.texture = 0;
+  small.scene.images.push_back({8, 8, std::vector<uint8_t>(8 * 8 * 4, 7)});
+  small.scene.textures.push_back({.image = 0});
+  const uint32_t quad = small.quad(glm::vec2(0), glm::vec2(1), small.material(textured));
+  for (int i = 0; i < 8; ++i) small.instance(quad);
+  const scene::GpuScene gpu = scene::upload(device, small.scene);
+  REQUIRE(gpu.notes.size() == 1);
+  CHECK(gpu.texels[0].bytes() == 16 * sizeof(uint32_t));
+  small.instance(quad);
+  CHECK_THROWS_WITH_AS((void)scene::upload(device, small.scene), doctest::Contains("18 drawn triangles"), UserError);
 }
 
 TEST_CASE("a light without intensity gets pi d2 over their number, and says so") {

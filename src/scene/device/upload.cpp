@@ -23,13 +23,17 @@ std::vector<uint32_t> first_triangles(const Scene& scene) {
   return first;
 }
 
-/// One line where `count` elements of `size` bytes do not fit a binding.
-void require_binding(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t size, const char* what) {
-  const uint64_t most = device.limits().max_binding / size;
+/// One line where there are more than `most`.
+void require_at_most(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t most, const char* what) {
   if (count <= most) return;
   throw UserError(
       fmt::format("{}: {} {}, and {} holds at most {} in one buffer: leave some out, or choose another --device",
                   scene.path.string(), count, what, device.info().name, most));
+}
+
+/// One line where `count` elements of `size` bytes do not fit a binding.
+void require_binding(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t size, const char* what) {
+  require_at_most(device, scene, count, device.limits().max_binding / size, what);
 }
 
 void require_bindings(const gpu::Device& device, const Scene& scene) {
@@ -40,7 +44,8 @@ void require_bindings(const gpu::Device& device, const Scene& scene) {
   }
   require_binding(device, scene, vertices, sizeof(shared::Vertex), "vertices");
   require_binding(device, scene, triangles, sizeof(glm::uvec4), "triangles");
-  require_binding(device, scene, scene.triangle_count(), sizeof(glm::vec4), "drawn triangles");
+  const uint64_t most_drawn = std::min(device.limits().max_binding / sizeof(glm::vec4), device.limits().max_texels);
+  require_at_most(device, scene, scene.triangle_count(), most_drawn, "drawn triangles");
   require_binding(device, scene, scene.instances.size(), sizeof(shared::Instance), "objects");
 }
 
@@ -81,7 +86,9 @@ void upload_instances(gpu::Device& device, const Scene& scene, GpuScene& out) {
 }
 
 void upload_materials(gpu::Device& device, const Scene& scene, GpuScene& out) {
-  DeviceMaterials all = device_materials(scene, device.limits().max_binding / sizeof(uint32_t));
+  const gpu::Limits& limits = device.limits();
+  DeviceMaterials all = device_materials(scene, std::min(limits.max_binding / sizeof(uint32_t), limits.max_texels));
+  require_at_most(device, scene, all.textures.size(), limits.max_texels, "textures");
   out.materials = gpu::upload(device, all.materials, "materials");
   out.textures = gpu::upload(device, all.textures, "textures");
   for (size_t page = 0; page < texel_page_count; ++page)
@@ -99,6 +106,26 @@ void reserve_moved(gpu::Device& device, GpuScene& out) {
   const uint64_t instances = std::max(out.instance_count, 1u);
   out.instances.reserve(device, instances * sizeof(shared::Instance), "instances");
   out.object_spheres.reserve(device, instances * sizeof(glm::vec4), "object spheres");
+}
+
+/// In the order of shaders/scene/tables.glsl. After all its buffers have been made.
+gpu::BufferSet tables_of(gpu::Device& device, const GpuScene& scene) {
+  using enum gpu::ReadAs;
+  const std::array<gpu::BufferSet::Member, 8 + texel_page_count> members = {{
+      {"corner_a", scene.corner_a, texels_rgba32u},
+      {"corner_b", scene.corner_b, texels_rgba32u},
+      {"corner_c", scene.corner_c, texels_rgba32u},
+      {"triangles", scene.triangles},
+      {"vertices", scene.vertices},
+      {"instances", scene.instances},
+      {"materials", scene.materials},
+      {"textures", scene.textures, texels_rgba32u},
+      {"texels0", scene.texels[0], texels_r32u},
+      {"texels1", scene.texels[1], texels_r32u},
+      {"texels2", scene.texels[2], texels_r32u},
+      {"texels3", scene.texels[3], texels_r32u},
+  }};
+  return {device, members};
 }
 
 glm::vec4 row(const glm::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
@@ -163,6 +190,7 @@ GpuScene upload(gpu::Device& device, const Scene& scene) {
   upload_instances(device, scene, out);
   upload_materials(device, scene, out);
   reserve_moved(device, out);
+  out.tables = tables_of(device, out);
   return out;
 }
 

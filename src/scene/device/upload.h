@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/buffer_set.h"
 #include "gpu/recorder.h"
 #include "scene/device/texel_pages.h"
 #include "scene/device/world_lights.h"
@@ -14,8 +15,8 @@
 
 namespace crsh::scene {
 
-/// The scene's tables (shaders/scene/tables.glsl). Drawn triangles are numbered instance by instance. Every buffer can
-/// be bound, also where it stands for an empty list.
+/// The scene's tables. Drawn triangles are numbered instance by instance. Every buffer can be bound, also where it
+/// stands for an empty list.
 struct GpuScene {
   // From upload().
   gpu::Buffer positions;  ///< vec3 a stored vertex, object space
@@ -38,6 +39,8 @@ struct GpuScene {
   gpu::Buffer lights;          ///< shared::Light
   uint32_t light_count = 0;
   Bounds bounds;  ///< of all object spheres in this pose
+
+  gpu::BufferSet tables;  ///< what shading reads of all these, bound together: shaders/scene/tables.glsl
 };
 
 /// Throws UserError where a list outgrows what the device can bind, and gpu::OutOfMemory.
