@@ -55,7 +55,7 @@ float reach_of_rays() {
 void give_rays(bool done) {
   for (uint i = done ? node_rays.y : node_rays.x; i < node_rays.y; ++i) {
     uint id = order[i];
-    left[atomicAdd(left_count[0], 1u)] = id - first_ray;
+    left[atomicAdd(left_count, 1u)] = id - first_ray;
   }
 }
 
@@ -144,7 +144,7 @@ void give_rays(bool done) {
   EACH_ROW(GIVE)
   if (!done) {
     uint base = 0u;
-    if (lane_in_cluster() == 0u) base = atomicAdd(left_count[0], node_rays.y - node_rays.x);
+    if (lane_in_cluster() == 0u) base = atomicAdd(left_count, node_rays.y - node_rays.x);
     base = FROM_LANE(base, first_of_cluster());
 #define LEAVE(own, row) leave_own(own, row, base);
     EACH_ROW(LEAVE)

@@ -57,10 +57,12 @@ layout(binding = 9, scalar) readonly buffer Nodes { vec4 node_words[]; };
 layout(binding = 10, scalar) readonly buffer NodeRays { uvec2 rays_of[]; };
 layout(binding = 11, scalar) readonly buffer Parents { uint parents[]; };
 layout(binding = 12, scalar) readonly buffer Frontiers { uvec2 frontier[]; };
-layout(binding = 13, scalar) writeonly buffer Left { uint left[]; };  // rays, counted from first_ray
-layout(binding = 14, scalar) buffer LeftCount { uint left_count[]; };
-layout(binding = 15, scalar) buffer Counters { uvec2 counters[]; };
-#define ACCOUNT_BINDING 16
+layout(binding = 13, scalar) buffer Left {
+  uint left_count;
+  uint left[];  // rays, counted from first_ray
+};
+layout(binding = 14, scalar) buffer Counters { uvec2 counters[]; };
+#define ACCOUNT_BINDING 15
 #include "lib/account.glsl"
 
 uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays

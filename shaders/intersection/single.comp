@@ -20,10 +20,15 @@ layout(push_constant, scalar) uniform Push {
   uint triangle_account;
   uint listed;  // 1: rays are those of the list
 };
-layout(binding = 9, scalar) writeonly buffer Left { uint left[]; };  // rays, as in the list
-layout(binding = 10, scalar) buffer LeftCount { uint left_count[]; };
-layout(binding = 11, scalar) readonly buffer List { uint list[]; };  // rays, counted from first_ray
-#define ACCOUNT_BINDING 12
+layout(binding = 9, scalar) buffer Left {
+  uint left_count;
+  uint left[];  // rays, as in the list
+};
+layout(binding = 10, scalar) readonly buffer List {
+  uint list_count;
+  uint list[];  // rays, counted from first_ray
+};
+#define ACCOUNT_BINDING 11
 #include "lib/account.glsl"
 
 void main() {
@@ -36,7 +41,7 @@ void main() {
   Walk walk = Walk(0u, 0u, no_hit(ray), 0u, 0u);
   walk_on(walk, ray, uint(ray.direction.w) == kind_shadow);
   bool done = walk.next == none;
-  if (!done) left[atomicAdd(left_count[0], 1u)] = place;
+  if (!done) left[atomicAdd(left_count, 1u)] = place;
   hits[id] = done ? walk.hit : no_hit(ray);
   uint box_tests = done ? walk.box_tests : 0u, triangle_tests = done ? walk.triangle_tests : 0u;
   ADD_COUNTER(box_counter, box_tests)

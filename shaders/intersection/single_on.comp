@@ -19,10 +19,13 @@ layout(push_constant, scalar) uniform Push {
   uint box_account;  // of ray 0
   uint triangle_account;
 };
-layout(binding = 9, scalar) readonly buffer List { uint list[]; };     // rays, counted from first_ray
-layout(binding = 10, scalar) buffer LeftCount { uint left_count[]; };  // that have not ended
-layout(binding = 11, scalar) buffer States { uvec2 states[]; };        // a lane: Walk.next and .depth
-layout(binding = 12, scalar) buffer Stacks { uvec2 stacks[]; };        // a lane: max_object_depth entries
+layout(binding = 9, scalar) readonly buffer List {
+  uint list_count;
+  uint list[];  // rays, counted from first_ray
+};
+layout(binding = 10, scalar) buffer Walking { uint walking[]; };  // one: rays that have not ended
+layout(binding = 11, scalar) buffer States { uvec2 states[]; };   // a lane: Walk.next and .depth
+layout(binding = 12, scalar) buffer Stacks { uvec2 stacks[]; };   // a lane: max_object_depth entries
 #define ACCOUNT_BINDING 13
 #include "lib/account.glsl"
 
@@ -37,7 +40,7 @@ void main() {
   hits[id] = walk.hit;
   states[i] = uvec2(walk.next, walk.depth);
   for (uint k = 0u; k < walk.depth; ++k) stacks[base + k] = stack[k];
-  if (walk.next != none) atomicAdd(left_count[0], 1u);
+  if (walk.next != none) atomicAdd(walking[0], 1u);
   ADD_COUNTER(box_counter, walk.box_tests)
   ADD_COUNTER(triangle_counter, walk.triangle_tests)
   ACCOUNT(tests_object, box_account + id, walk.box_tests)

@@ -9,7 +9,7 @@ namespace crsh::intersection {
 
 void clear(gpu::Recorder& recorder, const rays::Batch& batch, const gpu::Buffer& hits) {
   recorder.stage(Stage::final_intersection);
-  recorder.dispatch("intersection/clear", batch.count, batch.count, {batch.rays, hits});
+  recorder.dispatch("intersection/clear", batch.count, batch.count, {{"rays", batch.rays}, {"hits", hits}});
 }
 
 void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy& hierarchy,
@@ -25,12 +25,21 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
          candidates.pairs_before,
          in.counter_row + shared::counter_triangle_tests,
          in.account.first(shared::tests_triangle, 0)};
-  recorder.dispatch(
-      in.account.kernel(std::string("intersection/candidates") + recorder.device().lanes()),
-      uint64_t(push.node_count) * push.most_rays, push,
-      {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits, sorted_rays, order,
-       level.children, candidates.bases, candidates.pairs, in.counters, in.account.buffer_or(in.counters)},
-      candidates.count * level.most_children);
+  recorder.dispatch(in.account.kernel(std::string("intersection/candidates") + recorder.device().lanes()),
+                    uint64_t(push.node_count) * push.most_rays, push,
+                    {{"corner_a", in.scene.corner_a},
+                     {"corner_b", in.scene.corner_b},
+                     {"corner_c", in.scene.corner_c},
+                     {"materials", in.scene.materials},
+                     {"hits", in.hits},
+                     {"rays", sorted_rays},
+                     {"order", order},
+                     {"rays_of", level.children},
+                     {"bases", candidates.bases},
+                     {"pairs", candidates.pairs},
+                     {"counters", in.counters},
+                     {"account", in.account.buffer_or(in.counters)}},
+                    candidates.count * level.most_children);
   recorder.submit_past(in.submit_work);
   recorder.stage(Stage::hierarchy_traversal);
 }
@@ -54,8 +63,14 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
              in.account.first(shared::tests_triangle, 0)};
       recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lanes()),
                         push.ray_count, push,
-                        {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, in.scene.materials, in.hits,
-                         in.batch.rays, in.counters, in.account.buffer_or(in.counters)},
+                        {{"corner_a", in.scene.corner_a},
+                         {"corner_b", in.scene.corner_b},
+                         {"corner_c", in.scene.corner_c},
+                         {"materials", in.scene.materials},
+                         {"hits", in.hits},
+                         {"rays", in.batch.rays},
+                         {"counters", in.counters},
+                         {"account", in.account.buffer_or(in.counters)}},
                         uint64_t(push.ray_count) * push.triangle_count);
       recorder.submit_past(in.submit_work);
     }
@@ -76,7 +91,12 @@ void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment,
          segment.light,
          in.counter_row + shared::counter_ray_hits,
          in.counter_row + shared::counter_digest};
-  recorder.dispatch("intersection/digest", lanes, push, {in.batch.slots, in.hits, pixels, paths, in.counters});
+  recorder.dispatch("intersection/digest", lanes, push,
+                    {{"slots", in.batch.slots},
+                     {"hits", in.hits},
+                     {"diffuse_pixel", pixels},
+                     {"specular_path", paths},
+                     {"counters", in.counters}});
 }
 
 }  // namespace crsh::intersection

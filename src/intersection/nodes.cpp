@@ -25,8 +25,7 @@ class Nodes {
       : recorder_(recorder), in_(in), segment_(segment), scratch_(scratch), single_(single) {}
 
   void run(Range nodes, Range groups) {
-    reserve(recorder_, segment_, single_);
-    recorder_.fill(single_.count, 0, 1);
+    begin_left(recorder_, segment_, single_);
     if (groups.count == 0) {
       traversal::start_at_root(recorder_, scratch_.frontiers);
       walk(nodes, groups);
@@ -68,12 +67,24 @@ class Nodes {
            t.account.first(shared::tests_object, 1),
            t.account.first(shared::tests_node, 1),
            t.account.first(shared::tests_triangle, 0)};
-    recorder_.dispatch(
-        kernel(), uint64_t(clusters) * cluster(), push,
-        {in_.objects.leaf_a, in_.objects.leaf_b, in_.objects.leaf_c, t.scene.materials, in_.hits, in_.sorted_rays,
-         in_.order, in_.objects.box_low, in_.objects.box_high, level.nodes, level.rays, parents, scratch_.frontiers,
-         single_.left, single_.count, t.counters, t.account.buffer_or(t.counters)},
-        nodes.count * usual_tests);
+    recorder_.dispatch(kernel(), uint64_t(clusters) * cluster(), push,
+                       {{"corner_a", in_.objects.leaf_a},
+                        {"corner_b", in_.objects.leaf_b},
+                        {"corner_c", in_.objects.leaf_c},
+                        {"materials", t.scene.materials},
+                        {"hits", in_.hits},
+                        {"rays", in_.sorted_rays},
+                        {"order", in_.order},
+                        {"box_low", in_.objects.box_low},
+                        {"box_high", in_.objects.box_high},
+                        {"node_words", level.nodes},
+                        {"rays_of", level.rays},
+                        {"parents", parents},
+                        {"frontier", scratch_.frontiers},
+                        {"left", single_.left},
+                        {"counters", t.counters},
+                        {"account", t.account.buffer_or(t.counters)}},
+                       nodes.count * usual_tests);
     recorder_.submit_past(t.submit_work);
   }
 

@@ -17,7 +17,11 @@ void query(gpu::Recorder& recorder, const In& in, const objects::DeviceHierarchy
       uint32_t end;
     } push{segment.first + done, segment.first + done + count};
     recorder.dispatch({"intersection/ray_query", {{0, plain}}}, count, push,
-                      {objects.structure.get(), in.batch.rays, in.hits, in.scene.corner_a, in.scene.materials},
+                      {{"scene", *objects.structure},
+                       {"rays", in.batch.rays},
+                       {"hits", in.hits},
+                       {"corner_a", in.scene.corner_a},
+                       {"materials", in.scene.materials}},
                       count * usual_tests);
     recorder.submit_past(in.submit_work);
   }

@@ -15,6 +15,12 @@ constexpr uint64_t usual_tests = 256, most_tests = 1280;
 /// Rays that are walked in portions together.
 constexpr uint64_t most_portioned = 4096;
 
+/// An empty list with room for so many rays.
+void begin_list(gpu::Recorder& recorder, uint32_t rays, gpu::Buffer& list, const char* name) {
+  primitives::grow(recorder, list, primitives::quad_bytes(uint64_t(rays) + 1), name);
+  recorder.fill(list, 0, 1);
+}
+
 class SingleRays {
  public:
   SingleRays(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects, const rays::Segment& segment,
@@ -23,13 +29,13 @@ class SingleRays {
 
   /// All rays of the segment.
   void run() {
-    reserve(recorder_, segment_, scratch_);
+    begin_left(recorder_, segment_, scratch_);
     walk_all(segment_.count, nullptr, scratch_.left);
   }
 
   /// The first so many of scratch.left.
   void run_left(uint32_t count) {
-    primitives::grow(recorder_, scratch_.still_left, primitives::quad_bytes(count), "rays still left");
+    begin_list(recorder_, count, scratch_.still_left, "rays still left");
     walk_all(count, &scratch_.left, scratch_.still_left);
   }
 
@@ -49,12 +55,11 @@ class SingleRays {
             in_.account.first(shared::tests_triangle, 0)};
   }
 
-  /// So many rays, of the list if there is one; what they leave goes to `left`.
+  /// So many rays, of the list if there is one; what they leave goes to `left`, which is empty.
   void walk_all(uint32_t count, const gpu::Buffer* list, const gpu::Buffer& left) {
     const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, count));
-    recorder_.fill(scratch_.count, 0, 1);
     for (uint32_t first = 0; first < count; first += tile) walk(first, std::min(tile, count - first), list, left);
-    if (const uint32_t still = recorder_.read<uint32_t>(scratch_.count, 1)[0]) walk_left(left, still);
+    if (const uint32_t still = recorder_.read<uint32_t>(left, 1)[0]) walk_left(left, still);
   }
 
   void walk(uint32_t first, uint32_t count, const gpu::Buffer* list, const gpu::Buffer& left) {
@@ -63,15 +68,25 @@ class SingleRays {
       uint32_t listed;
     } push{push_of(first, first + count), list != nullptr};
     recorder_.dispatch(in_.account.kernel("intersection/single"), count, push,
-                       {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
-                        in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, left, scratch_.count,
-                        list ? *list : in_.counters, in_.account.buffer_or(in_.counters)},
+                       {{"corner_a", objects_.leaf_a},
+                        {"corner_b", objects_.leaf_b},
+                        {"corner_c", objects_.leaf_c},
+                        {"materials", in_.scene.materials},
+                        {"hits", in_.hits},
+                        {"rays", in_.batch.rays},
+                        {"counters", in_.counters},
+                        {"box_low", objects_.box_low},
+                        {"box_high", objects_.box_high},
+                        {"left", left},
+                        {"list", list ? *list : in_.counters},
+                        {"account", in_.account.buffer_or(in_.counters)}},
                        count * usual_tests);
     recorder_.submit_past(in_.submit_work);
   }
 
   void walk_left(const gpu::Buffer& list, uint32_t count) {
     const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / most_tests, 1, most_portioned));
+    primitives::grow(recorder_, scratch_.walking, sizeof(uint32_t), "number of rays walked");
     primitives::grow(recorder_, scratch_.states, tile * sizeof(glm::uvec2), "states of rays");
     primitives::grow(recorder_, scratch_.stacks, tile * shared::max_object_depth * sizeof(glm::uvec2),
                      "stacks of rays");
@@ -82,13 +97,24 @@ class SingleRays {
   void walk_in_portions(const gpu::Buffer& list, uint32_t first, uint32_t count) {
     recorder_.fill(scratch_.states, 0, 2 * uint64_t(count));
     do {
-      recorder_.fill(scratch_.count, 0, 1);
+      recorder_.fill(scratch_.walking, 0, 1);
       recorder_.dispatch(in_.account.kernel("intersection/single_on"), count, push_of(first, count),
-                         {objects_.leaf_a, objects_.leaf_b, objects_.leaf_c, in_.scene.materials, in_.hits,
-                          in_.batch.rays, in_.counters, objects_.box_low, objects_.box_high, list, scratch_.count,
-                          scratch_.states, scratch_.stacks, in_.account.buffer_or(in_.counters)},
+                         {{"corner_a", objects_.leaf_a},
+                          {"corner_b", objects_.leaf_b},
+                          {"corner_c", objects_.leaf_c},
+                          {"materials", in_.scene.materials},
+                          {"hits", in_.hits},
+                          {"rays", in_.batch.rays},
+                          {"counters", in_.counters},
+                          {"box_low", objects_.box_low},
+                          {"box_high", objects_.box_high},
+                          {"list", list},
+                          {"walking", scratch_.walking},
+                          {"states", scratch_.states},
+                          {"stacks", scratch_.stacks},
+                          {"account", in_.account.buffer_or(in_.counters)}},
                          count * most_tests);
-    } while (recorder_.read<uint32_t>(scratch_.count, 1)[0]);
+    } while (recorder_.read<uint32_t>(scratch_.walking, 1)[0]);
   }
 
   gpu::Recorder& recorder_;
@@ -107,14 +133,13 @@ void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hier
   SingleRays(recorder, in, objects, segment, scratch).run();
 }
 
-void reserve(gpu::Recorder& recorder, const rays::Segment& segment, SingleScratch& scratch) {
-  primitives::grow(recorder, scratch.left, primitives::quad_bytes(segment.count), "rays left");
-  primitives::grow(recorder, scratch.count, sizeof(uint32_t), "number of rays left");
+void begin_left(gpu::Recorder& recorder, const rays::Segment& segment, SingleScratch& scratch) {
+  begin_list(recorder, segment.count, scratch.left, "rays left");
 }
 
 void intersect_left(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
                     const rays::Segment& segment, SingleScratch& scratch) {
-  const uint32_t left = recorder.read<uint32_t>(scratch.count, 1)[0];
+  const uint32_t left = recorder.read<uint32_t>(scratch.left, 1)[0];
   if (left == 0) return;
   recorder.stage(Stage::final_intersection);
   SingleRays(recorder, in, objects, segment, scratch).run_left(left);
