@@ -8,7 +8,7 @@ namespace {
 void keep_creation_order(gpu::Recorder& recorder, uint32_t ray_count, const gpu::Buffer& order) {
   const uint32_t quads = (ray_count + 3) / 4;
   recorder.stage(Stage::ray_creation);
-  recorder.dispatch("coherence/creation_order", quads, quads, {order}, ray_count);
+  recorder.dispatch("coherence/creation_order", quads, quads, {{"order", order}}, ray_count);
 }
 
 /// Compresses the pairs in the scratch to chunks, sorts these, and expands them.
@@ -43,7 +43,8 @@ void order(gpu::Recorder& recorder, OrderScratch& scratch, const OrderIn& in, Or
 void gather(gpu::Recorder& recorder, const rays::Batch& batch, const Order& order, gpu::Buffer& sorted) {
   recorder.stage(Stage::ray_decompression);
   primitives::grow(recorder, sorted, uint64_t(batch.count) * 32, "rays.sorted");
-  recorder.dispatch("coherence/gather", batch.count, batch.count, {batch.rays, order.order, sorted}, batch.count);
+  recorder.dispatch("coherence/gather", batch.count, batch.count,
+                    {{"rays", batch.rays}, {"order", order.order}, {"sorted", sorted}}, batch.count);
 }
 
 }  // namespace crsh::coherence

@@ -32,13 +32,13 @@ FillShape fill_shape(const gpu::Device& device) {
 void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buffer& pairs, uint32_t ray_count,
               Chunks& out) {
   grow(recorder, scratch.flags, quad_bytes(ray_count), "compress.flags");
-  recorder.dispatch("coherence/flag_heads", (uint64_t(ray_count) + 3) / 4, ray_count, {pairs, scratch.flags},
-                    ray_count);
+  recorder.dispatch("coherence/flag_heads", (uint64_t(ray_count) + 3) / 4, ray_count,
+                    {{"pairs", pairs}, {"flags", scratch.flags}}, ray_count);
   out.count = primitives::compact(recorder, scratch.compact, scratch.flags, ray_count, out.bases);
   grow(recorder, out.pairs, primitives::pair_bytes(out.count), "chunks.pairs");
   grow(recorder, out.sizes, quad_bytes(out.count), "chunks.sizes");
   recorder.dispatch("coherence/compress", out.count, CompressPush{out.count, ray_count},
-                    {pairs, out.bases, out.pairs, out.sizes}, out.count);
+                    {{"pairs", pairs}, {"bases", out.bases}, {"chunks", out.pairs}, {"sizes", out.sizes}}, out.count);
 }
 
 std::vector<uint32_t> count_chunks(gpu::Recorder& recorder, CompressScratch& scratch, const Chunks& chunks,
@@ -52,7 +52,8 @@ std::vector<uint32_t> count_chunks(gpu::Recorder& recorder, CompressScratch& scr
   const uint32_t count = uint32_t(filled.size());
   grow(recorder, scratch.firsts, quad_bytes(count), "compress.firsts");
   for (uint32_t i = 0; i < count; ++i) recorder.fill(scratch.firsts, segments[filled[i]].first, 1, i);
-  recorder.dispatch("coherence/find_chunks", count, FindPush{count, chunks.count}, {chunks.bases, scratch.firsts});
+  recorder.dispatch("coherence/find_chunks", count, FindPush{count, chunks.count},
+                    {{"rising", chunks.bases}, {"firsts", scratch.firsts}});
   std::vector<uint32_t> firsts = recorder.read<uint32_t>(scratch.firsts, count);
   firsts.push_back(chunks.count);
   for (size_t i = 0; i < count; ++i) counts[filled[i]] = firsts[i + 1] - firsts[i];
@@ -65,13 +66,19 @@ void decompress(gpu::Recorder& recorder, CompressScratch& scratch, const Chunks&
   grow(recorder, scratch.skeleton, quad_bytes(uint64_t(chunks.count) + 1), "compress.skeleton");
   grow(recorder, scratch.sorted_bases, quad_bytes(chunks.count), "compress.sorted_bases");
   recorder.dispatch("coherence/skeleton", chunks.count, chunks.count,
-                    {sorted, chunks.bases, chunks.sizes, scratch.skeleton, scratch.sorted_bases}, chunks.count);
+                    {{"sorted", sorted},
+                     {"bases", chunks.bases},
+                     {"sizes", chunks.sizes},
+                     {"skeleton", scratch.skeleton},
+                     {"sorted_bases", scratch.sorted_bases}},
+                    chunks.count);
   primitives::scan(recorder, scratch.scan, scratch.skeleton, scratch.skeleton, uint64_t(chunks.count) + 1,
                    primitives::ScanKind::exclusive);
   const FillShape shape = fill_shape(recorder.device());
   recorder.dispatch(gpu::Kernel("coherence/decompress", {{0, shape.group}, {1, shape.run}}),
                     (uint64_t(ray_count) + shape.run - 1) / shape.run, DecompressPush{ray_count, chunks.count},
-                    {scratch.skeleton, scratch.sorted_bases, order}, ray_count);
+                    {{"rising", scratch.skeleton}, {"sorted_bases", scratch.sorted_bases}, {"order", order}},
+                    ray_count);
 }
 
 }  // namespace crsh::coherence

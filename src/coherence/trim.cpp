@@ -43,8 +43,10 @@ void trim(gpu::Recorder& recorder, TrimScratch& scratch, const gpu::Buffer& spar
   grow(recorder, out.rays, uint64_t(out.count) * 32, "rays.rays");
   grow(recorder, out.slots, quad_bytes(out.count), "rays.slots");
   if (out.count > 0)
-    recorder.dispatch("coherence/trim", slot_count, slot_count, {sparse_rays, flags, out.ends, out.rays, out.slots},
-                      slot_count);
+    recorder.dispatch(
+        "coherence/trim", slot_count, slot_count,
+        {{"sparse", sparse_rays}, {"flags", flags}, {"ends", out.ends}, {"rays", out.rays}, {"slots", out.slots}},
+        slot_count);
 }
 
 }  // namespace crsh::coherence
