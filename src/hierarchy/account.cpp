@@ -60,7 +60,8 @@ void Account::share_rays(gpu::Recorder& recorder, const AccountIn& in, uint32_t 
   const struct {
     uint32_t rays, surfaces, first_surface, first_account;
   } push{in.batch.count, in.batch.surfaces, in.first_surface, first(kind, 0)};
-  recorder.dispatch("hierarchy/share_rays", push.rays, push, {in.batch.slots, in.pixels, buffer_, tests});
+  recorder.dispatch("hierarchy/share_rays", push.rays, push,
+                    {{"slots", in.batch.slots}, {"pixels", in.pixels}, {"account", buffer_}, {"tests", tests}});
 }
 
 void Account::share_nodes(gpu::Recorder& recorder, const AccountIn& in, uint32_t kind, uint32_t level,
@@ -73,7 +74,12 @@ void Account::share_nodes(gpu::Recorder& recorder, const AccountIn& in, uint32_t
     } push{in.batch.segments[s].first, in.batch.segments[s].count, in.batch.surfaces, in.first_surface,
            nodes.segments[s].first,    nodes.segments[s].count,    first(kind, level)};
     recorder.dispatch("hierarchy/share_nodes", push.rays, push,
-                      {in.batch.slots, in.pixels, in.order, nodes.rays, buffer_, tests});
+                      {{"slots", in.batch.slots},
+                       {"pixels", in.pixels},
+                       {"order", in.order},
+                       {"rays_of", nodes.rays},
+                       {"account", buffer_},
+                       {"tests", tests}});
   }
 }
 

@@ -59,7 +59,10 @@ void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>
       uint32_t first_child, children, first_node, arity, rays_below;
     } push{below[s].first, below[s].count, level.segments[s].first, in.options.arity, index == 0};
     recorder.dispatch("hierarchy/group", below[s].count, push,
-                      {rays_of_children(out, index), level.parents, level.children, level.rays});
+                      {{"rays_of_child", rays_of_children(out, index)},
+                       {"parents", level.parents},
+                       {"children_of", level.children},
+                       {"rays_of", level.rays}});
   }
 }
 
@@ -81,7 +84,11 @@ void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>&
       CutLimits limits;
     } push{below[s].first, below[s].count, in.options.arity, index == 0, limits};
     recorder.dispatch("hierarchy/cut", (uint64_t(below[s].count) + shared::cut_run - 1) / shared::cut_run, push,
-                      {in.sorted_rays, rays_of_children(out, index), out.cut.heads, out.cut.ends}, below[s].count);
+                      {{"rays", in.sorted_rays},
+                       {"rays_of_child", rays_of_children(out, index)},
+                       {"heads", out.cut.heads},
+                       {"ends", out.cut.ends}},
+                      below[s].count);
   }
 }
 
@@ -109,9 +116,13 @@ void group_cut(gpu::Recorder& recorder, const In& in, const std::vector<Range>& 
     uint32_t nodes;
     uint32_t rays_below;
   } push{level.count, index == 0};
-  recorder.dispatch(
-      "hierarchy/group_cut", level.count, push,
-      {rays_of_children(out, index), out.cut.bases, out.cut.ends, level.parents, level.children, level.rays});
+  recorder.dispatch("hierarchy/group_cut", level.count, push,
+                    {{"rays_of_child", rays_of_children(out, index)},
+                     {"bases", out.cut.bases},
+                     {"ends", out.cut.ends},
+                     {"parents", level.parents},
+                     {"children_of", level.children},
+                     {"rays_of", level.rays}});
   level.cut_children = recorder.read<glm::uvec2>(level.children, level.count);
   level.segments = segments_of(level.cut_children, below);
 }

@@ -51,15 +51,24 @@ void bound(gpu::Recorder& recorder, const In& in, Hierarchy& out, uint32_t index
       {0, std::bit_cast<uint32_t>(in.narrow_cones ? 0.99f : 1.0f)}};
   const std::string variant = "@" + in.options.bound;
   if (is_fitted(in.options, index)) {
-    recorder.dispatch({"hierarchy/fit" + variant, constants}, level.count, level.count,
-                      {in.sorted_rays, level.rays, level.nodes, level.intervals}, out.rays);
+    recorder.dispatch(
+        {"hierarchy/fit" + variant, constants}, level.count, level.count,
+        {{"rays", in.sorted_rays}, {"ranges", level.rays}, {"nodes", level.nodes}, {"intervals", level.intervals}},
+        out.rays);
   } else if (index == 0) {
-    recorder.dispatch({"hierarchy/merge_rays" + variant, constants}, level.count, level.count,
-                      {in.sorted_rays, level.children, level.nodes, level.intervals}, out.rays);
+    recorder.dispatch(
+        {"hierarchy/merge_rays" + variant, constants}, level.count, level.count,
+        {{"rays", in.sorted_rays}, {"ranges", level.children}, {"nodes", level.nodes}, {"intervals", level.intervals}},
+        out.rays);
   } else {
     const Level& below = out.levels[index - 1];
     recorder.dispatch({"hierarchy/merge_nodes" + variant, constants}, level.count, level.count,
-                      {in.sorted_rays, level.children, level.nodes, level.intervals, below.nodes, below.intervals},
+                      {{"rays", in.sorted_rays},
+                       {"ranges", level.children},
+                       {"nodes", level.nodes},
+                       {"intervals", level.intervals},
+                       {"child_nodes", below.nodes},
+                       {"child_intervals", below.intervals}},
                       below.count);
   }
 }
@@ -100,7 +109,8 @@ void build(gpu::Recorder& recorder, const In& in, Hierarchy& out) {
 std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index) {
   const Level& level = hierarchy.levels[index];
   primitives::grow(recorder, hierarchy.spreads, level.count * sizeof(glm::vec2), "node spreads");
-  recorder.dispatch("hierarchy/spread@" + hierarchy.bound, level.count, level.count, {level.nodes, hierarchy.spreads});
+  recorder.dispatch("hierarchy/spread@" + hierarchy.bound, level.count, level.count,
+                    {{"nodes", level.nodes}, {"spreads", hierarchy.spreads}});
   return recorder.read<glm::vec2>(hierarchy.spreads, level.count);
 }
 

@@ -45,7 +45,7 @@ std::vector<float> rays_a_node(gpu::Recorder& recorder, const SampleIn& in, gpu:
       uint32_t first_ray, ray_count, arity, stride, slot;
       CutLimits limits;
     } push{segments[s].first, segments[s].count, in.options.arity, sample.stride, s, limits};
-    recorder.dispatch("hierarchy/sample", sample.lanes, push, {in.batch.rays, sums}, sample.rays);
+    recorder.dispatch("hierarchy/sample", sample.lanes, push, {{"rays", in.batch.rays}, {"sums", sums}}, sample.rays);
   }
   const auto nodes = recorder.read<uint32_t>(sums, segments.size());
   for (size_t s = 0; s < segments.size(); ++s)
