@@ -30,8 +30,13 @@ void walk_groups(gpu::Recorder& recorder, const In& in, const objects::Hierarchy
          in.account.first(shared::tests_object, 2)};
   const std::string alone = gpu::may_cluster(recorder.device(), cluster) ? "" : "-alone";
   recorder.dispatch(in.account.kernel("traversal/group_walk" + alone + "@" + in.options.bound), groups.count, push,
-                    {level.nodes, level.intervals, objects.box_low, objects.box_high, frontiers, in.counters,
-                     in.account.buffer_or(in.counters)},
+                    {{"nodes", level.nodes},
+                     {"intervals", level.intervals},
+                     {"box_low", objects.box_low},
+                     {"box_high", objects.box_high},
+                     {"frontier", frontiers},
+                     {"counters", in.counters},
+                     {"account", in.account.buffer_or(in.counters)}},
                     groups.count * usual_tests);
   recorder.submit_past(in.submit_work);
 }

@@ -84,8 +84,12 @@ class Descent {
            counter(shared::counter_mesh_tests),
            first_account(shared::tests_object, top_)};
     recorder_.dispatch(in_.account.kernel(bound("traversal/mesh_spheres")), count, push,
-                       {level(top_).nodes, level(top_).intervals, in_.scene.object_spheres, scratch_.mesh_hits,
-                        in_.counters, in_.account.buffer_or(in_.counters)},
+                       {{"nodes", level(top_).nodes},
+                        {"intervals", level(top_).intervals},
+                        {"object_spheres", in_.scene.object_spheres},
+                        {"mesh_hits", scratch_.mesh_hits},
+                        {"counters", in_.counters},
+                        {"account", in_.account.buffer_or(in_.counters)}},
                        count * 32);
     recorder_.submit_past(in_.submit_work);
   }
@@ -111,18 +115,24 @@ class Descent {
            counter(shared::counter_level_tests + top_),
            counter(shared::counter_level_hits + top_),
            first_account(shared::tests_node, top_)};
-    recorder_.dispatch(
-        in_.account.kernel(bound_and_lanes("traversal/top")), uint64_t(padded) * blocks.count, push,
-        {level(top_).nodes, level(top_).intervals, in_.scene.blocks, in_.scene.triangle_spheres, scratch_.mesh_hits,
-         lists.masks, lists.counts, in_.counters, in_.account.buffer_or(in_.counters), in_.scene.corner_a,
-         in_.scene.corner_b, in_.scene.corner_c},
-        masks * shared::block_triangles);
+    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/top")), uint64_t(padded) * blocks.count, push,
+                       {{"nodes", level(top_).nodes},
+                        {"intervals", level(top_).intervals},
+                        {"blocks", in_.scene.blocks},
+                        {"triangle_spheres", in_.scene.triangle_spheres},
+                        {"mesh_hits", scratch_.mesh_hits},
+                        {"masks", lists.masks},
+                        {"counts", lists.counts},
+                        {"counters", in_.counters},
+                        {"account", in_.account.buffer_or(in_.counters)},
+                        {"corner_a", in_.scene.corner_a},
+                        {"corner_b", in_.scene.corner_b},
+                        {"corner_c", in_.scene.corner_c}},
+                       masks * shared::block_triangles);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanKind::exclusive);
-    const struct {
-      uint32_t count;
-      uint32_t stride;
-    } bases_push{nodes.count + 1, blocks.count};
-    recorder_.dispatch("traversal/bases", nodes.count + 1, bases_push, {lists.counts, lists.bases});
+    const struct { uint32_t count, stride; } bases_push{nodes.count + 1, blocks.count};
+    recorder_.dispatch("traversal/bases", nodes.count + 1, bases_push,
+                       {{"scanned", lists.counts}, {"bases", lists.bases}});
     const Bases bases{nodes.first, recorder_.read<uint32_t>(lists.bases, nodes.count + 1)};
     for_portions(bases, level(top_).most_children, [&](Range portion) {
       emit_top(nodes, portion, blocks, bases);
@@ -136,8 +146,9 @@ class Descent {
       uint32_t first_node, node_offset, node_count, first_block, block_count, pairs_before;
     } push{tile.first, portion.first - tile.first, portion.count, blocks.first, blocks.count, bases.of(portion.first)};
     reserve_pairs(lists, bases.of(portion.end()) - bases.of(portion.first));
-    recorder_.dispatch({"traversal/emit_top", drop()}, uint64_t(portion.count) * blocks.count, push,
-                       {in_.scene.blocks, lists.masks, lists.counts, lists.pairs});
+    recorder_.dispatch(
+        {"traversal/emit_top", drop()}, uint64_t(portion.count) * blocks.count, push,
+        {{"blocks", in_.scene.blocks}, {"masks", lists.masks}, {"scanned", lists.counts}, {"pairs", lists.pairs}});
   }
 
   /// The pairs of `nodes` (all in levels[index].pairs) against their children, or to the final intersection.
@@ -176,12 +187,22 @@ class Descent {
       uint32_t use_interval, tests, hits, first_account;
     } push{portion, in_.options.interval, counter(shared::counter_level_tests + index),
            counter(shared::counter_level_hits + index), first_account(shared::tests_node, index)};
-    recorder_.dispatch(
-        in_.account.kernel(bound_and_lanes("traversal/descend")), uint64_t(portion.parent_count) * portion.arity, push,
-        {level(index).nodes, level(index).intervals, level(index + 1).children, bases_of(above, index + 1), above.pairs,
-         in_.scene.triangle_spheres, lists.masks, lists.counts, in_.counters, in_.account.buffer_or(in_.counters),
-         in_.scene.corner_a, in_.scene.corner_b, in_.scene.corner_c},
-        uint64_t(pairs) * portion.arity);
+    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/descend")),
+                       uint64_t(portion.parent_count) * portion.arity, push,
+                       {{"nodes", level(index).nodes},
+                        {"intervals", level(index).intervals},
+                        {"children_of", level(index + 1).children},
+                        {"bases", bases_of(above, index + 1)},
+                        {"pairs", above.pairs},
+                        {"triangle_spheres", in_.scene.triangle_spheres},
+                        {"masks", lists.masks},
+                        {"counts", lists.counts},
+                        {"counters", in_.counters},
+                        {"account", in_.account.buffer_or(in_.counters)},
+                        {"corner_a", in_.scene.corner_a},
+                        {"corner_b", in_.scene.corner_b},
+                        {"corner_c", in_.scene.corner_c}},
+                       uint64_t(pairs) * portion.arity);
     primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, portion.child_count + 1,
                      primitives::ScanKind::exclusive);
   }
@@ -198,8 +219,13 @@ class Descent {
     } push{portion, children.first - all.first_child, bases.of(children.first)};
     reserve_pairs(lists, bases.of(children.end()) - bases.of(children.first));
     recorder_.dispatch({"traversal/emit", drop()}, children.count, push,
-                       {level(index + 1).parents, level(index + 1).children, bases_of(above, index + 1), above.pairs,
-                        lists.masks, lists.counts, lists.pairs});
+                       {{"parents", level(index + 1).parents},
+                        {"children_of", level(index + 1).children},
+                        {"bases", bases_of(above, index + 1)},
+                        {"pairs_above", above.pairs},
+                        {"masks", lists.masks},
+                        {"scanned", lists.counts},
+                        {"pairs", lists.pairs}});
   }
 
   /// The top level's bases are gathered from its blocks; below, the scanned counts are the bases.
