@@ -102,7 +102,11 @@ class Builder {
       uint32_t count;
     } push{bounds.low, 1 / edge, n_};
     recorder_.dispatch({"objects/codes", {{0, high_word}}}, n_, push,
-                       {in_.scene.corner_a, in_.scene.corner_b, in_.scene.corner_c, pairs}, n_);
+                       {{"corner_a", in_.scene.corner_a},
+                        {"corner_b", in_.scene.corner_b},
+                        {"corner_c", in_.scene.corner_c},
+                        {"pairs", pairs}},
+                       n_);
   }
 
   void begin_clusters() {
@@ -115,10 +119,15 @@ class Builder {
     places_.reserve(device_, quad_bytes(n_ + 1), "places");
     raw_nodes_.reserve(device_, n_ * sizeof(glm::uvec4), "raw nodes");
     raw_costs_.reserve(device_, n_ * sizeof(float), "costs of raw nodes");
-    const uint32_t push = n_;
-    recorder_.dispatch(
-        "objects/begin", n_, push,
-        {in_.scene.corner_a, in_.scene.corner_b, in_.scene.corner_c, sorted_, clusters_.low, clusters_.high}, n_);
+    const struct { uint32_t count; } push{n_};
+    recorder_.dispatch("objects/begin", n_, push,
+                       {{"corner_a", in_.scene.corner_a},
+                        {"corner_b", in_.scene.corner_b},
+                        {"corner_c", in_.scene.corner_c},
+                        {"order", sorted_},
+                        {"cluster_low", clusters_.low},
+                        {"cluster_high", clusters_.high}},
+                       n_);
   }
 
   /// Rounds until one cluster is left; each round's nodes are a rank of the raw tree.
@@ -143,7 +152,8 @@ class Builder {
       const struct {
         uint32_t first, end, count, radius;
       } push{first, first + std::min(portion, count - first), count, radius};
-      recorder_.dispatch("objects/nearest", push.end - first, push, {clusters_.low, clusters_.high, nearest_},
+      recorder_.dispatch("objects/nearest", push.end - first, push,
+                         {{"cluster_low", clusters_.low}, {"cluster_high", clusters_.high}, {"nearest", nearest_}},
                          uint64_t(push.end - first) * tests);
       recorder_.submit_past(in_.submit_work);
     }
@@ -151,8 +161,8 @@ class Builder {
 
   /// Where the clusters that stay go. Returns how many there are.
   uint32_t find_places(uint32_t count) {
-    const uint32_t push = count;
-    recorder_.dispatch("objects/pair", count, push, {nearest_, places_}, count);
+    const struct { uint32_t count; } push{count};
+    recorder_.dispatch("objects/pair", count, push, {{"nearest", nearest_}, {"stays", places_}}, count);
     primitives::scan(recorder_, scan_, places_, places_, count + 1, primitives::ScanKind::exclusive);
     return recorder_.read<uint32_t>(places_, 1, count)[0];
   }
@@ -162,9 +172,16 @@ class Builder {
       uint32_t count;
       uint32_t first_node;
     } push{count, first_node};
-    recorder_.dispatch(
-        "objects/merge", count, push,
-        {nearest_, places_, clusters_.low, clusters_.high, next_.low, next_.high, raw_nodes_, raw_costs_}, count);
+    recorder_.dispatch("objects/merge", count, push,
+                       {{"nearest", nearest_},
+                        {"places", places_},
+                        {"cluster_low", clusters_.low},
+                        {"cluster_high", clusters_.high},
+                        {"next_low", next_.low},
+                        {"next_high", next_.high},
+                        {"raw_nodes", raw_nodes_},
+                        {"costs", raw_costs_}},
+                       count);
   }
 
   /// From the root down.
@@ -173,7 +190,9 @@ class Builder {
     recorder_.fill(firsts_, 0, 1);
     recorder_.fill(places_, 1, 1);
     for (const Rank& rank : raw_ranks_)
-      recorder_.dispatch("objects/place", rank.count, rank, {raw_nodes_, firsts_, places_, out_.order}, rank.count);
+      recorder_.dispatch("objects/place", rank.count, rank,
+                         {{"raw_nodes", raw_nodes_}, {"firsts", firsts_}, {"kept", places_}, {"order", out_.order}},
+                         rank.count);
   }
 
   /// Nodes that are kept stay in the raw tree's order, the root first: its ranks become the hierarchy's.
@@ -192,8 +211,14 @@ class Builder {
   }
 
   void emit_nodes() {
-    const uint32_t push = n_ - 1;
-    recorder_.dispatch("objects/emit", push, push, {raw_nodes_, firsts_, places_, out_.box_low, out_.box_high}, push);
+    const struct { uint32_t count; } push{n_ - 1};
+    recorder_.dispatch("objects/emit", push.count, push,
+                       {{"raw_nodes", raw_nodes_},
+                        {"firsts", firsts_},
+                        {"places", places_},
+                        {"box_low", out_.box_low},
+                        {"box_high", out_.box_high}},
+                       push.count);
   }
 
   gpu::Recorder& recorder_;

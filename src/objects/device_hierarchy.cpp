@@ -34,7 +34,11 @@ void update(gpu::Recorder& recorder, const In& in, DeviceHierarchy& h) {
   recorder.stage(Stage::object_hierarchy);
   if (!h.structure) make(recorder, triangles, h);
   recorder.dispatch("objects/soup", triangles, triangles,
-                    {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, h.corners}, triangles);
+                    {{"corner_a", in.scene.corner_a},
+                     {"corner_b", in.scene.corner_b},
+                     {"corner_c", in.scene.corner_c},
+                     {"corners", h.corners}},
+                    triangles);
   recorder.build(*h.structure, h.corners);
   recorder.submit();
   h.pose.assign(in.pose.begin(), in.pose.end());

@@ -32,7 +32,13 @@ void fit_rank(gpu::Recorder& recorder, const In& in, Hierarchy& h, Rank rank) {
       uint32_t count;
     } push{rank.first + done, std::min(portion, rank.count - done)};
     recorder.dispatch("objects/fit", push.count, push,
-                      {h.leaf_a, h.leaf_b, h.leaf_c, h.box_low, h.box_high, h.costs, h.root},
+                      {{"leaf_a", h.leaf_a},
+                       {"leaf_b", h.leaf_b},
+                       {"leaf_c", h.leaf_c},
+                       {"box_low", h.box_low},
+                       {"box_high", h.box_high},
+                       {"costs", h.costs},
+                       {"root", h.root}},
                       uint64_t(push.count) * tests);
     recorder.submit_past(in.submit_work);
   }
@@ -44,7 +50,13 @@ void fit(gpu::Recorder& recorder, const In& in, Hierarchy& h) {
   recorder.stage(Stage::object_hierarchy);
   const uint32_t push = h.triangle_count;
   recorder.dispatch("objects/corners", h.triangle_count, push,
-                    {in.scene.corner_a, in.scene.corner_b, in.scene.corner_c, h.order, h.leaf_a, h.leaf_b, h.leaf_c},
+                    {{"corner_a", in.scene.corner_a},
+                     {"corner_b", in.scene.corner_b},
+                     {"corner_c", in.scene.corner_c},
+                     {"order", h.order},
+                     {"leaf_a", h.leaf_a},
+                     {"leaf_b", h.leaf_b},
+                     {"leaf_c", h.leaf_c}},
                     h.triangle_count);
   for (size_t r = h.ranks.size(); r-- > 0;) fit_rank(recorder, in, h, h.ranks[r]);
   const auto root = recorder.read<glm::vec4>(h.root, 2);
