@@ -31,7 +31,8 @@ uint32_t compact(gpu::Recorder& recorder, CompactScratch& scratch, const gpu::Bu
   const uint32_t total = recorder.read<uint32_t>(scratch.counts, 1, lanes)[0];
   grow(recorder, indices, quad_bytes(total), "compact.indices");
   const gpu::Kernel kernel("primitives/compact", {{0, shape.group}, {1, shape.run / 4}});
-  recorder.dispatch(kernel, lanes, Push{quads, lanes}, {flags, scratch.counts, indices}, n);
+  recorder.dispatch(kernel, lanes, Push{quads, lanes},
+                    {{"flags", flags}, {"before", scratch.counts}, {"indices", indices}}, n);
   return total;
 }
 

@@ -51,7 +51,8 @@ void scan_runs(gpu::Recorder& recorder, const gpu::Buffer& source, const gpu::Bu
                            {{0, shape.group}, {1, shape.run / 4}, {2, kind == ScanKind::inclusive}, {3, !before}});
   for_each_part(recorder, n, shape.run, [&](uint64_t first, const Push& push) {
     const gpu::Binding from = quads_of(source, first, push.quads), to = quads_of(destination, first, push.quads);
-    recorder.dispatch(kernel, push.lanes, push, {from, to, before ? gpu::Binding(*before) : from},
+    recorder.dispatch(kernel, push.lanes, push,
+                      {{"source", from}, {"destination", to}, {"before", before ? gpu::Binding(*before) : from}},
                       4 * uint64_t(push.quads));
   });
 }
@@ -62,7 +63,8 @@ void sum_runs(gpu::Recorder& recorder, const gpu::Buffer& source, uint64_t n, co
               ScanShape shape) {
   const gpu::Kernel kernel("primitives/scan_sum", {{0, shape.group}, {1, shape.run / 4}});
   for_each_part(recorder, n, shape.run, [&](uint64_t first, const Push& push) {
-    recorder.dispatch(kernel, push.lanes, push, {quads_of(source, first, push.quads), sums}, 4 * uint64_t(push.quads));
+    recorder.dispatch(kernel, push.lanes, push, {{"source", quads_of(source, first, push.quads)}, {"sums", sums}},
+                      4 * uint64_t(push.quads));
   });
 }
 

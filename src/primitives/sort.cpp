@@ -26,7 +26,7 @@ struct Pass {
 
 /// Runs a kernel over the pass's lanes, a part of their runs a dispatch: an invocation's loops must stay short.
 void dispatch_parts(gpu::Recorder& recorder, const gpu::Kernel& kernel, const Pass& pass,
-                    std::initializer_list<gpu::Argument::Bound> arguments) {
+                    std::initializer_list<gpu::Argument> arguments) {
   constexpr uint32_t steps = 131072;  // a quarter of them loop iterations
   for (uint32_t first = 0; first < pass.shape.run; first += steps) {
     const Push push{pass.n, pass.lanes(), pass.shape.run, first, steps, pass.shift, (1u << pass.bits) - 1};
@@ -39,7 +39,7 @@ void find_places(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffe
   grow(recorder, scratch.histogram, quad_bytes(pass.slots()), "sort.histogram");
   recorder.fill(scratch.histogram, 0, pass.slots());
   const gpu::Kernel count("primitives/sort_count", {{0, pass.shape.group}});
-  dispatch_parts(recorder, count, pass, {pairs, scratch.histogram});
+  dispatch_parts(recorder, count, pass, {{"pairs", pairs}, {"histogram", scratch.histogram}});
   scan(recorder, scratch.scan, scratch.histogram, scratch.histogram, pass.slots(), ScanKind::exclusive);
 }
 
@@ -47,7 +47,7 @@ void find_places(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffe
 void scatter(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffer& pairs, const gpu::Buffer& sorted,
              bool values_only, const Pass& pass) {
   const gpu::Kernel kernel("primitives/sort_scatter", {{0, pass.shape.group}, {1, values_only}, {2, pass.unstable}});
-  dispatch_parts(recorder, kernel, pass, {pairs, scratch.histogram, sorted});
+  dispatch_parts(recorder, kernel, pass, {{"pairs", pairs}, {"places", scratch.histogram}, {"sorted", sorted}});
 }
 
 /// Fills up to whole quads with pairs that go last, whatever the digit. Returns how many pairs there are now.
