@@ -56,9 +56,15 @@ std::vector<Trial> trials(uint32_t seed, uint32_t count) {
     const struct {
       uint32_t first_ray, ray_count, first_triangle, triangle_count, counter, first_account;
     } push{0, rays_a_triangle, i, 1, 0, 0};
-    recorder.dispatch(
-        "intersection/brute", rays_a_triangle, push,
-        {scene.corner_a, scene.corner_b, scene.corner_c, scene.materials, hits, rays, counters, counters});
+    recorder.dispatch("intersection/brute", rays_a_triangle, push,
+                      {{"corner_a", scene.corner_a},
+                       {"corner_b", scene.corner_b},
+                       {"corner_c", scene.corner_c},
+                       {"materials", scene.materials},
+                       {"hits", hits},
+                       {"rays", rays},
+                       {"counters", counters},
+                       {"account", counters}});
     trial.hits = recorder.read<glm::uvec4>(hits, rays_a_triangle);
     trials.push_back(std::move(trial));
   }

@@ -200,8 +200,14 @@ void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, cons
   move_lights(recorder.device(), target, scene, pose, lights);
   const uint32_t push = target.triangle_count;
   recorder.dispatch("scene/animate", target.triangle_count, push,
-                    {target.sources, target.triangles, target.positions, target.instances, target.corner_a,
-                     target.corner_b, target.corner_c, target.triangle_spheres});
+                    {{"sources", target.sources},
+                     {"triangles", target.triangles},
+                     {"positions", target.positions},
+                     {"instances", target.instances},
+                     {"corner_a", target.corner_a},
+                     {"corner_b", target.corner_b},
+                     {"corner_c", target.corner_c},
+                     {"triangle_spheres", target.triangle_spheres}});
 }
 
 }  // namespace crsh::scene
