@@ -42,9 +42,13 @@ std::vector<std::vector<Wanted>> grouped(const std::vector<Wanted>& all, uint32_
 void create_shadow(gpu::Recorder& recorder, const CreateIn& in, uint32_t first, uint32_t lights, const Sparse& out) {
   const ShadowPush push{in.plan.surfaces, in.plan.first_surface, first * in.plan.surfaces, lights * in.plan.surfaces,
                         in.plan.segments[first].light};
-  recorder.dispatch(
-      std::string(ray_kinds[shared::kind_shadow].creation), push.count, push,
-      {in.surfaces.position, in.surfaces.geometric, in.scene.lights, in.scene.triangle_spheres, out.rays, out.flags});
+  recorder.dispatch(std::string(ray_kinds[shared::kind_shadow].creation), push.count, push,
+                    {{"positions", in.surfaces.position},
+                     {"geometrics", in.surfaces.geometric},
+                     {"lights", in.scene.lights},
+                     {"triangle_spheres", in.scene.triangle_spheres},
+                     {"rays", out.rays},
+                     {"flags", out.flags}});
 }
 
 void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segment, const Sparse& out,
@@ -55,8 +59,16 @@ void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segmen
   const bool mirror = kind == shared::kind_reflection && in.override_mirror;
   const ClosestPush push{in.plan.surfaces, in.plan.first_surface, segment * in.plan.surfaces, mirror ? 1u : 0u};
   recorder.dispatch(std::string(ray_kinds[kind].creation), push.surfaces, push,
-                    {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, in.scene.triangle_spheres,
-                     out.rays, out.flags, weights});
+                    {{"positions", s.position},
+                     {"normals", s.normal},
+                     {"geometrics", s.geometric},
+                     {"incomings", s.incoming},
+                     {"diffuses", s.diffuse},
+                     {"speculars", s.specular},
+                     {"triangle_spheres", in.scene.triangle_spheres},
+                     {"rays", out.rays},
+                     {"flags", out.flags},
+                     {"weights", weights}});
 }
 
 }  // namespace

@@ -96,10 +96,11 @@ uint32_t hash(gpu::Recorder& recorder, const Batch& batch, const Keys& keys, con
     push.segment = bits < 32 ? i << bits : 0;
     if (keys[segment.kind] == key_of_file) {
       recorder.dispatch("rays/given_keys", segment.count, GivenPush{push.first, push.count, push.segment},
-                        {batch.given_keys, pairs}, segment.count);
+                        {{"given", batch.given_keys}, {"pairs", pairs}}, segment.count);
       continue;
     }
-    recorder.dispatch(kernel_of(keys[segment.kind]), segment.count, push, {batch.rays, pairs}, segment.count);
+    recorder.dispatch(kernel_of(keys[segment.kind]), segment.count, push, {{"rays", batch.rays}, {"pairs", pairs}},
+                      segment.count);
   }
   return bits + segment_bits;
 }
