@@ -27,8 +27,16 @@ void add_direct(gpu::Recorder& recorder, const DirectIn& in, surfaces::Generatio
   const Push push{plan.surfaces, plan.first_surface, 0, plan.segments[0].light, lights};
   const surfaces::Surfaces& s = in.surfaces;
   recorder.dispatch("shading/direct", plan.surfaces, push,
-                    {s.position, s.normal, s.geometric, s.incoming, s.diffuse, s.specular, in.scene.lights, in.ends,
-                     in.hits, generation.direct},
+                    {{"positions", s.position},
+                     {"normals", s.normal},
+                     {"geometrics", s.geometric},
+                     {"incomings", s.incoming},
+                     {"diffuses", s.diffuse},
+                     {"speculars", s.specular},
+                     {"lights", in.scene.lights},
+                     {"ends", in.ends},
+                     {"hits", in.hits},
+                     {"direct", generation.direct}},
                     uint64_t(plan.surfaces) * lights);
 }
 
@@ -37,7 +45,8 @@ void add_visibility(gpu::Recorder& recorder, const DirectIn& in, const gpu::Buff
     uint32_t surfaces, first_surface, light_count;
   } push{in.plan.surfaces, in.plan.first_surface, lights_of(in.plan)};
   if (push.light_count == 0) return;
-  recorder.dispatch("shading/visibility", push.surfaces, push, {in.surfaces.diffuse, in.ends, in.hits, pixels},
+  recorder.dispatch("shading/visibility", push.surfaces, push,
+                    {{"diffuse_pixel", in.surfaces.diffuse}, {"ends", in.ends}, {"hits", in.hits}, {"sums", pixels}},
                     uint64_t(push.surfaces) * push.light_count);
 }
 

@@ -70,7 +70,8 @@ void add_geometry(gpu::Recorder& recorder, const SampleIn& in, const Film& film)
       uint32_t count;
       glm::vec3 forward;
     } push{in.view.eye, s.count, in.view.forward};
-    recorder.dispatch("shading/film_depth", s.count, push, {s.diffuse, s.position, film.depth});
+    recorder.dispatch("shading/film_depth", s.count, push,
+                      {{"diffuse_pixel", s.diffuse}, {"positions", s.position}, {"depths", film.depth}});
   }
   if (film.layers.has_any({LayerId::object, LayerId::material}))
     recorder.dispatch("shading/film_ids", s.count, s.count,
@@ -96,10 +97,14 @@ void add_sample(gpu::Recorder& recorder, const SampleIn& in, Film& film) {
   const bool first = film.samples == 1;
   for (const Summed& layer : summed(in))
     if (film.layers.has(layer.layer) && (first || !layer.first_sample_only))
-      recorder.dispatch("shading/film_sum", s.count, s.count, {s.diffuse, layer.values, film.sum(layer.layer)});
+      recorder.dispatch("shading/film_sum", s.count, s.count,
+                        {{"diffuse_pixel", s.diffuse}, {"values", layer.values}, {"sums", film.sum(layer.layer)}});
   if (film.layers.has(LayerId::albedo))
     recorder.dispatch("shading/film_albedo", s.count, s.count,
-                      {s.diffuse, s.specular, in.generation.emission, film.sum(LayerId::albedo)});
+                      {{"diffuses", s.diffuse},
+                       {"speculars", s.specular},
+                       {"emissions", in.generation.emission},
+                       {"albedo", film.sum(LayerId::albedo)}});
   if (first) add_geometry(recorder, in, film);
 }
 

@@ -60,10 +60,17 @@ void gather_portion(gpu::Recorder& recorder, const surfaces::Generation& g, cons
   };
   recorder.dispatch({"shading/gather", {{0, parts == Parts::wanted}}}, portion.count,
                     Push{portion.first, portion.count, reflection, refraction, background},
-                    {g.emission, g.direct, or_else(g.reflection_weight, nothing), or_else(g.refraction_weight, nothing),
-                     ends(reflection, portion.reflection), ends(refraction, portion.refraction),
-                     totals(reflection, portion.reflection), totals(refraction, portion.refraction), out.total,
-                     or_else(out.reflection, out.total), or_else(out.refraction, out.total)});
+                    {{"emissions", g.emission},
+                     {"direct", g.direct},
+                     {"reflection_weights", or_else(g.reflection_weight, nothing)},
+                     {"refraction_weights", or_else(g.refraction_weight, nothing)},
+                     {"reflection_ends", ends(reflection, portion.reflection)},
+                     {"refraction_ends", ends(refraction, portion.refraction)},
+                     {"reflection_totals", totals(reflection, portion.reflection)},
+                     {"refraction_totals", totals(refraction, portion.refraction)},
+                     {"totals", out.total},
+                     {"reflected", or_else(out.reflection, out.total)},
+                     {"refracted", or_else(out.refraction, out.total)}});
 }
 
 }  // namespace
