@@ -99,18 +99,6 @@ void Recorder::bind_tables(VkPipelineBindPoint point, const PipelineLayout& layo
   vkCmdBindDescriptorSets(submission_.commands(), point, layout.handle(), table_set, 1, &set, 0, nullptr);
 }
 
-std::vector<Argument> Recorder::in_order(const Reflection& reflection, std::initializer_list<Argument::Bound> bound) {
-  std::vector<Argument> all;
-  for (const Argument::Bound& one : bound) {
-    CRSH_ASSERT(all.size() < reflection.arguments.size(), "too many arguments for " + names_of(reflection.arguments));
-    const std::string_view name = reflection.arguments[all.size()].name;
-    if (const auto* binding = std::get_if<Binding>(&one)) all.emplace_back(name, *binding);
-    if (const auto* image = std::get_if<const Image*>(&one)) all.emplace_back(name, **image);
-    if (const auto* structure = std::get_if<const AccelerationStructure*>(&one)) all.emplace_back(name, **structure);
-  }
-  return all;
-}
-
 void Recorder::dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, Arguments arguments, uint64_t work) {
   if (count == 0) return;
   const Program& program = device_.program(kernel);

@@ -56,13 +56,6 @@ class Recorder {
     static_assert(std::is_trivially_copyable_v<Push>);
     dispatch_bytes(kernel, count, bytes_of(push), {arguments.begin(), arguments.size()}, work);
   }
-  /// The same with arguments in the order of the shader's bindings.
-  template <class Push>
-  void dispatch(const Kernel& kernel, uint64_t count, const Push& push,
-                std::initializer_list<Argument::Bound> arguments, uint64_t work = 0) {
-    const std::vector<Argument> named = in_order(device_.program(kernel).reflection(), arguments);
-    dispatch_bytes(kernel, count, bytes_of(push), named, work);
-  }
 
   /// Builds the device's own hierarchy over `corners`, three vec4 a triangle.
   void build(AccelerationStructure& structure, const Buffer& corners);
@@ -73,12 +66,6 @@ class Recorder {
             const Push& push, std::initializer_list<Argument> arguments) {
     static_assert(std::is_trivially_copyable_v<Push>);
     draw_bytes(program, attachments, first, count, bytes_of(push), {arguments.begin(), arguments.size()});
-  }
-  template <class Push>
-  void draw(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count,
-            const Push& push, std::initializer_list<Argument::Bound> arguments) {
-    const std::vector<Argument> named = in_order(program.reflection(), arguments);
-    draw_bytes(program, attachments, first, count, bytes_of(push), named);
   }
 
   /// Fills words of a buffer; `words` counts 32-bit words from word `first` on.
@@ -113,8 +100,6 @@ class Recorder {
     else return std::as_bytes(std::span(&push, 1));
   }
 
-  [[nodiscard]] static std::vector<Argument> in_order(const Reflection& reflection,
-                                                      std::initializer_list<Argument::Bound> bound);
   void dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, Arguments arguments, uint64_t work);
   void draw_bytes(const DrawProgram& program, const Attachments& attachments, uint32_t first, uint32_t count,
                   Bytes push, Arguments arguments);
