@@ -46,7 +46,7 @@ Statistics pass_of(Renderer& renderer, const Variant& variant, Work& work, Pictu
 void take_picture(gpu::Device& device, const scene::Scene& scene, const Schedule& schedule, Result& result,
                   Work& work) {
   RenderOptions options = result.variant.options;
-  options.layers = {LayerId::beauty, LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests};
+  options.layers = LayerSet::filled_by(LayerFill::tests);
   Renderer renderer(device, scene, options);
   const Picture picture = frame_at(renderer, result.variant.seconds.front(), work);
   const Layer& beauty = *picture.find("");

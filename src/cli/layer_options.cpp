@@ -14,8 +14,7 @@ namespace {
 
 std::vector<std::string> names_of(const LayerSet& layers) {
   std::vector<std::string> names;
-  for (size_t id = 0; id < layer_count; ++id)
-    if (layers.has(static_cast<LayerId>(id))) names.emplace_back(layer_table[id].name);
+  for (const LayerId id : layers.members()) names.emplace_back(row_of(id).name);
   return names;
 }
 
@@ -23,8 +22,7 @@ std::vector<std::string> names_of(const LayerSet& layers) {
 void add_named(LayerSet& layers, const std::string& name) {
   bool known = name == "all";
   if (known) layers = LayerSet::all();
-  for (size_t id = 0; id < layer_count; ++id) {
-    const auto layer = static_cast<LayerId>(id);
+  for (const LayerId layer : LayerSet::all().members()) {
     if (!std::ranges::all_of(channels_of(layer), [&](const auto& channel) { return output::in_layer(channel, name); }))
       continue;
     layers.add(layer);

@@ -81,7 +81,7 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
     const shading::DirectIn direct{surfaces, s.gpu_scene, plan, batch.ends, s.batch.hits};
     if (batch.count) shading::add_direct(s.recorder, direct, generation);
     if (batch.count && bounce == 0 && s.film.layers.has(LayerId::shadow))
-      shading::add_visibility(s.recorder, direct, s.film.sum(LayerId::shadow));
+      shading::add_visibility(s.recorder, direct, s.film.of(LayerId::shadow));
     if (!casts_closest(plan)) continue;
     surfaces::Children children = children_of(s.batch.rays, plan, next.count);
     const uint32_t count = batch.count - std::min(batch.count, children.first_ray);

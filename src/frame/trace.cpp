@@ -47,7 +47,7 @@ void share_tests(Renderer::State& s, const rays::Batch& batch, const RayNames& n
     if (s.batch.account.wants(kind))
       s.batch.account.share(s.recorder,
                             {batch, s.batch.hierarchy, s.batch.order.order, names.first_surface, names.pixels}, kind,
-                            s.film.tests[kind]);
+                            s.film.of(shading::layer_of_tests(kind)));
 }
 
 traversal::In traversal_in(Renderer::State& s, uint32_t bounce, uint32_t kind) {

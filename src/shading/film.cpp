@@ -2,34 +2,88 @@
 
 #include <fmt/format.h>
 
+#include "crsh/assertion.h"
 #include "crsh/error.h"
 #include "primitives/grow.h"
 
 namespace crsh::shading {
 namespace {
 
-/// A layer that is the sum of something a surface each.
-struct Summed {
-  LayerId layer;
-  const gpu::Buffer& values;
-  bool first_sample_only = false;
-};
-
-std::array<Summed, 8> summed(const SampleIn& in) {
-  return {{{LayerId::beauty, in.gathered.total},
-           {LayerId::direct, in.generation.direct},
-           {LayerId::emission, in.generation.emission},
-           {LayerId::reflection, in.gathered.reflection},
-           {LayerId::refraction, in.gathered.refraction},
-           {LayerId::f0, in.surfaces.specular},
-           {LayerId::position, in.surfaces.position, true},
-           {LayerId::normal, in.surfaces.normal, true}}};
+const gpu::Buffer& buffer_of(SurfaceValue value, const SampleIn& in) {
+  switch (value) {
+    case SurfaceValue::position: return in.surfaces.position;
+    case SurfaceValue::normal: return in.surfaces.normal;
+    case SurfaceValue::geometric: return in.surfaces.geometric;
+    case SurfaceValue::incoming: return in.surfaces.incoming;
+    case SurfaceValue::diffuse: return in.surfaces.diffuse;
+    case SurfaceValue::specular: return in.surfaces.specular;
+    case SurfaceValue::emission: return in.generation.emission;
+    case SurfaceValue::direct: return in.generation.direct;
+    case SurfaceValue::total: return in.gathered.total;
+    case SurfaceValue::reflection: return in.gathered.reflection;
+    case SurfaceValue::refraction: return in.gathered.refraction;
+  }
+  CRSH_ASSERT(false, "no such value of a surface");
 }
 
-/// Layers whose pixels are a vec4 in Film::sums.
-constexpr std::array summed_layers = {LayerId::beauty,     LayerId::direct, LayerId::emission, LayerId::reflection,
-                                      LayerId::refraction, LayerId::albedo, LayerId::f0,       LayerId::shadow,
-                                      LayerId::position,   LayerId::normal};
+/// The layer's part of a sample, from the surfaces to `pixels`.
+using Add = void (*)(gpu::Recorder& recorder, const SampleIn& in, const LayerSource& source, const gpu::Buffer& pixels);
+
+void add_value(gpu::Recorder& recorder, const SampleIn& in, const LayerSource& source, const gpu::Buffer& pixels) {
+  recorder.dispatch(
+      "shading/film_sum", in.surfaces.count, in.surfaces.count,
+      {{"diffuse_pixel", in.surfaces.diffuse}, {"values", buffer_of(source.value, in)}, {"sums", pixels}});
+}
+
+void add_base_colour(gpu::Recorder& recorder, const SampleIn& in, const LayerSource&, const gpu::Buffer& pixels) {
+  recorder.dispatch("shading/film_albedo", in.surfaces.count, in.surfaces.count,
+                    {{"diffuses", in.surfaces.diffuse},
+                     {"speculars", in.surfaces.specular},
+                     {"emissions", in.generation.emission},
+                     {"albedo", pixels}});
+}
+
+void write_depth(gpu::Recorder& recorder, const SampleIn& in, const LayerSource&, const gpu::Buffer& pixels) {
+  const struct {
+    glm::vec3 eye;
+    uint32_t count;
+    glm::vec3 forward;
+  } push{in.view.eye, in.surfaces.count, in.view.forward};
+  recorder.dispatch("shading/film_depth", in.surfaces.count, push,
+                    {{"diffuse_pixel", in.surfaces.diffuse}, {"positions", in.surfaces.position}, {"depths", pixels}});
+}
+
+void write_numbers(gpu::Recorder& recorder, const SampleIn& in, const LayerSource& source, const gpu::Buffer& pixels) {
+  const struct {
+    uint32_t count;
+    uint32_t material;
+  } push{in.surfaces.count, source.fill == LayerFill::material};
+  recorder.dispatch(
+      "shading/film_ids", in.surfaces.count, push,
+      {in.scene.tables, {"diffuse_pixel", in.surfaces.diffuse}, {"positions", in.surfaces.position}, {"ids", pixels}});
+}
+
+/// How a film holds the layers of one LayerFill.
+struct Held {
+  uint32_t pixel_bytes = 0;        ///< 0: not at all, as it is worked out of others
+  Add add = nullptr;               ///< null: by those who trace
+  bool only_first_sample = false;  ///< else samples add up
+};
+
+Held held(LayerFill fill) {
+  switch (fill) {
+    case LayerFill::mean: return {sizeof(glm::vec4), add_value};
+    case LayerFill::first: return {sizeof(glm::vec4), add_value, true};
+    case LayerFill::base_colour: return {sizeof(glm::vec4), add_base_colour};
+    case LayerFill::visibility: return {sizeof(glm::vec4)};
+    case LayerFill::background: return {};
+    case LayerFill::depth: return {sizeof(float), write_depth, true};
+    case LayerFill::object:
+    case LayerFill::material: return {sizeof(uint32_t), write_numbers, true};
+    case LayerFill::tests: return {sizeof(uint64_t)};
+  }
+  CRSH_ASSERT(false, "no such way to fill a layer");
+}
 
 uint64_t pixels_of(const Film& film) { return uint64_t(film.size.width) * film.size.height; }
 
@@ -40,45 +94,24 @@ void require_room(const gpu::Device& device, const Film& film) {
                                 film.size.height, device.info().name, most));
 }
 
-/// Ids and depth are written whole; sums begin at 0.
+/// Room for the wanted layers, all 0.
 void reserve(gpu::Recorder& recorder, Film& film) {
-  const uint64_t pixels = pixels_of(film);
-  for (const LayerId layer : summed_layers)
-    if (film.layers.has(layer))
-      primitives::grow(recorder, film.sums[static_cast<size_t>(layer)], pixels * sizeof(glm::vec4), row_of(layer).name);
-  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    if (film.layers.has(layer_of_tests(kind)))
-      primitives::grow(recorder, film.tests[kind], pixels * sizeof(uint64_t), row_of(layer_of_tests(kind)).name);
-  if (film.layers.has(LayerId::depth)) primitives::grow(recorder, film.depth, pixels * sizeof(float), "Z");
-  if (film.layers.has_any({LayerId::object, LayerId::material}))
-    primitives::grow(recorder, film.ids, pixels * sizeof(glm::uvec2), "ids");
-}
-
-void clear(gpu::Recorder& recorder, const Film& film) {
-  const uint64_t pixels = pixels_of(film);
-  for (const LayerId layer : summed_layers)
-    if (film.layers.has(layer)) recorder.fill(film.sum(layer), 0, pixels * 4);
-  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    if (film.layers.has(layer_of_tests(kind))) recorder.fill(film.tests[kind], 0, pixels * 2);
-}
-
-void add_geometry(gpu::Recorder& recorder, const SampleIn& in, const Film& film) {
-  const surfaces::Surfaces& s = in.surfaces;
-  if (film.layers.has(LayerId::depth)) {
-    const struct {
-      glm::vec3 eye;
-      uint32_t count;
-      glm::vec3 forward;
-    } push{in.view.eye, s.count, in.view.forward};
-    recorder.dispatch("shading/film_depth", s.count, push,
-                      {{"diffuse_pixel", s.diffuse}, {"positions", s.position}, {"depths", film.depth}});
+  for (const LayerId id : film.layers.members()) {
+    const uint64_t bytes = pixels_of(film) * held(row_of(id).source.fill).pixel_bytes;
+    if (bytes == 0) continue;
+    gpu::Buffer& pixels = film.buffers[static_cast<size_t>(id)];
+    primitives::grow(recorder, pixels, bytes, row_of(id).name);
+    recorder.fill(pixels, 0, bytes / sizeof(uint32_t));
   }
-  if (film.layers.has_any({LayerId::object, LayerId::material}))
-    recorder.dispatch("shading/film_ids", s.count, s.count,
-                      {in.scene.tables, {"diffuse_pixel", s.diffuse}, {"positions", s.position}, {"ids", film.ids}});
 }
 
 }  // namespace
+
+LayerId layer_of_tests(uint32_t which) {
+  for (const LayerId id : LayerSet::filled_by(LayerFill::tests).members())
+    if (row_of(id).source.which == which) return id;
+  CRSH_ASSERT(false, "tests without a layer");
+}
 
 void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size, const LayerSet& layers) {
   film.size = size;
@@ -87,25 +120,16 @@ void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size, co
   film.layers.add(LayerId::beauty);
   require_room(recorder.device(), film);
   reserve(recorder, film);
-  clear(recorder, film);
 }
 
 void begin_sample(Film& film) { ++film.samples; }
 
 void add_sample(gpu::Recorder& recorder, const SampleIn& in, Film& film) {
-  const surfaces::Surfaces& s = in.surfaces;
-  const bool first = film.samples == 1;
-  for (const Summed& layer : summed(in))
-    if (film.layers.has(layer.layer) && (first || !layer.first_sample_only))
-      recorder.dispatch("shading/film_sum", s.count, s.count,
-                        {{"diffuse_pixel", s.diffuse}, {"values", layer.values}, {"sums", film.sum(layer.layer)}});
-  if (film.layers.has(LayerId::albedo))
-    recorder.dispatch("shading/film_albedo", s.count, s.count,
-                      {{"diffuses", s.diffuse},
-                       {"speculars", s.specular},
-                       {"emissions", in.generation.emission},
-                       {"albedo", film.sum(LayerId::albedo)}});
-  if (first) add_geometry(recorder, in, film);
+  for (const LayerId id : film.layers.members()) {
+    const LayerSource& source = row_of(id).source;
+    const Held layer = held(source.fill);
+    if (layer.add && (film.samples == 1 || !layer.only_first_sample)) layer.add(recorder, in, source, film.of(id));
+  }
 }
 
 }  // namespace crsh::shading

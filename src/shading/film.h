@@ -12,32 +12,29 @@
 #include "raster/camera.h"
 #include "scene/device/upload.h"
 #include "shading/gather.h"
-#include "shared/account.h"
 #include "surfaces/surfaces.h"
 
 namespace crsh::shading {
 
-/// A pixel each, row-major; buffers of layers that are not wanted stay empty. Geometry and ids are the first sample's,
-/// which lies at the pixel's centre.
+/// A pixel each, row-major. A layer has the buffer that its LayerFill asks for; layers that are not wanted, and those
+/// that are worked out of others, have none.
+///   mean, base_colour  vec4: the sum over samples; the beauty's w: samples that met something. It is always there
+///   first              vec4: the first sample's
+///   visibility         vec4: x visibility, y rays, summed over samples
+///   depth              float: metres along the view axis, 1e10 where nothing
+///   object, material   uint: the number, from 1 on; 0 where nothing
+///   tests              uvec2: 64-bit fixed point (shared/account.h), summed over samples
 struct Film {
-  std::array<gpu::Buffer, layer_count>
-      sums;           ///< by LayerId: vec4, the sum over samples (geometry: the first's). Shadow:
-                      ///< x visibility, y shadow rays. Always there: the beauty, w samples that met
-  gpu::Buffer depth;  ///< float: distance along the view axis, 1e10 where nothing
-  gpu::Buffer ids;    ///< uvec2: object and material from 1 on; 0 where nothing
-  std::array<gpu::Buffer, shared::tests_count> tests;  ///< by shared::tests_*: uvec2, 64-bit fixed point
+  std::array<gpu::Buffer, layer_count> buffers;  ///< by LayerId
   raster::ImageSize size;
   LayerSet layers;
   uint32_t samples = 0;  ///< begun
 
-  [[nodiscard]] const gpu::Buffer& sum(LayerId id) const { return sums[static_cast<size_t>(id)]; }
+  [[nodiscard]] const gpu::Buffer& of(LayerId id) const { return buffers[static_cast<size_t>(id)]; }
 };
 
-/// The layer that shows this kind of tests.
-[[nodiscard]] constexpr LayerId layer_of_tests(uint32_t kind) {
-  constexpr std::array layers = {LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests};
-  return layers[kind];
-}
+/// The layer that shows this kind of tests (shared::tests_*).
+[[nodiscard]] LayerId layer_of_tests(uint32_t which);
 
 /// Clears the film for a frame of these layers and the beauty. Throws UserError for more pixels than the device can
 /// bind.

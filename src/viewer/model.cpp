@@ -172,11 +172,9 @@ Wish Model::wish() const {
   options.width = std::max(area.width, 1u), options.height = std::max(area.height, 1u);
   options.samples = 1;
   options.layers = {LayerId::beauty};
-  for (const Show show : {left.show, split ? right.show : left.show})
-    for (size_t id = 0; id < layer_count; ++id)
-      if (row_of(show).layers.has(LayerId(id))) options.layers.add(LayerId(id));
-  for (size_t id = 0; exr_wanted && id < layer_count; ++id)
-    if (command.options.layers.has(LayerId(id))) options.layers.add(LayerId(id));
+  options.layers.add(row_of(left.show).layers);
+  if (split) options.layers.add(row_of(right.show).layers);
+  if (exr_wanted) options.layers.add(command.options.layers);
   if (own_view) options.view = camera.view(), options.camera.clear();
   const bool order = left.show == Show::order || (split && right.show == Show::order);
   const bool boxes = show_bounds && command.options.algorithm.object_hierarchy;

@@ -50,13 +50,16 @@ Pixels light(const Picture& picture, double exposure) {
   });
 }
 
+/// The one layer that a row shows; null where the picture lacks it, or the row shows something else.
+const Layer* layer_of(const Picture& picture, Show show) {
+  return row_of(show).paint == Paint::nothing ? nullptr
+                                              : picture.find(picture_layer(row_of(show).layers.members().front()));
+}
+
 /// All tests, or those of one kind.
 std::vector<float> tests_of(const Picture& picture, Show show) {
   if (show == Show::tests) return output::tests_of(picture);
-  const LayerId id = show == Show::triangle_tests ? LayerId::triangle_tests
-                     : show == Show::node_tests   ? LayerId::node_tests
-                                                  : LayerId::object_tests;
-  const Layer* layer = picture.find(picture_layer(id));
+  const Layer* layer = layer_of(picture, show);
   return layer ? layer->values : std::vector<float>();
 }
 
@@ -80,8 +83,8 @@ Pixels order(const Picture& picture, const Layer& layer) {
 
 uint8_t byte_of(float share) { return static_cast<uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); }
 
-/// Each axis between its least and greatest value in the picture, where anything is.
-Pixels positions(const Picture& picture, const Layer& layer) {
+/// Each channel between its least and greatest value in the picture, where anything is.
+Pixels extent(const Picture& picture, const Layer& layer) {
   float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
   const auto is_hit = [&](size_t p) {
     return layer.values[3 * p] != 0 || layer.values[3 * p + 1] != 0 || layer.values[3 * p + 2] != 0;
@@ -100,7 +103,8 @@ Pixels positions(const Picture& picture, const Layer& layer) {
   });
 }
 
-Pixels normals(const Picture& picture, const Layer& layer) {
+/// From -1 to 1; black where all are 0.
+Pixels vector(const Picture& picture, const Layer& layer) {
   return paint(picture, [&](size_t p) {
     const float* n = &layer.values[3 * p];
     if (n[0] == 0 && n[1] == 0 && n[2] == 0) return Colour{};
@@ -108,15 +112,22 @@ Pixels normals(const Picture& picture, const Layer& layer) {
   });
 }
 
-Pixels albedo(const Picture& picture, const Layer& layer) {
+Pixels colour(const Picture& picture, const Layer& layer) {
   return paint(picture, [&](size_t p) {
     const float* c = &layer.values[3 * p];
     return Colour{quick_srgb(c[0]), quick_srgb(c[1]), quick_srgb(c[2])};
   });
 }
 
+Pixels grey(const Picture& picture, const Layer& layer) {
+  return paint(picture, [&](size_t p) {
+    const uint8_t value = quick_srgb(layer.values[p]);
+    return Colour{value, value, value};
+  });
+}
+
 /// Near is bright, in steps of equal ratio: near things and far ones have room on it.
-Pixels depth(const Picture& picture, const Layer& layer) {
+Pixels distance(const Picture& picture, const Layer& layer) {
   float low = INFINITY, high = 0;
   for (const float z : layer.values)
     if (z > 0 && z < 1e9f) low = std::min(low, z), high = std::max(high, z);
@@ -145,29 +156,37 @@ Pixels numbers(const Picture& picture, const Layer& layer) {
   });
 }
 
+Pixels paint_layer(const Picture& picture, const Layer& layer, Paint how) {
+  switch (how) {
+    case Paint::colour: return colour(picture, layer);
+    case Paint::grey: return grey(picture, layer);
+    case Paint::extent: return extent(picture, layer);
+    case Paint::vector: return vector(picture, layer);
+    case Paint::distance: return distance(picture, layer);
+    case Paint::numbers: return numbers(picture, layer);
+    case Paint::heat:  // in_colours knows the scale's end
+    case Paint::nothing: break;
+  }
+  return black(picture);
+}
+
 }  // namespace
 
-const std::array<ShowRow, show_count>& show_table() {
-  static const std::array<ShowRow, show_count> table = {{
-      {"light", "The picture", {}},
-      {"tests",
-       "All tests that a pixel's rays took",
-       {LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests}},
-      {"triangle tests", "Rays against triangles", {LayerId::triangle_tests}},
-      {"node tests", "Ray nodes against triangles, shared among their rays", {LayerId::node_tests}},
-      {"object tests", "Nodes or rays against meshes and boxes", {LayerId::object_tests}},
-      {"hash order", "Which rays are sorted together: the first bounce's, from first (violet) to last (yellow)", {}},
-      {"position", "Each axis from its least to its greatest value as red, green, blue", {LayerId::position}},
-      {"normal", "Shading normals: x, y, z as red, green, blue", {LayerId::normal}},
-      {"albedo", "Base colour", {LayerId::albedo}},
-      {"depth", "Near is bright", {LayerId::depth}},
-      {"objects", "A colour an object", {LayerId::object}},
-      {"materials", "A colour a material", {LayerId::material}},
-  }};
+const std::vector<ShowRow>& show_table() {
+  static const std::vector<ShowRow> table = [] {
+    std::vector<ShowRow> rows = {
+        {"light", "The picture"},
+        {"tests", "All tests that a pixel's rays took", LayerSet::filled_by(LayerFill::tests)},
+        {"hash order", "Which rays are sorted together: the first bounce's, from first (violet) to last (yellow)"}};
+    for (const LayerId id : LayerSet::all().members())
+      if (const LayerShow& show = crsh::row_of(id).show; show.paint != Paint::nothing)
+        rows.push_back({show.name, show.help, {id}, show.paint});
+    return rows;
+  }();
   return table;
 }
 
-bool is_heat(Show show) { return show >= Show::tests && show <= Show::object_tests; }
+bool is_heat(Show show) { return show == Show::tests || row_of(show).paint == Paint::heat; }
 
 double heat_end(const Picture& picture, Show show) {
   const std::vector<float> tests = tests_of(picture, show);
@@ -177,21 +196,9 @@ double heat_end(const Picture& picture, Show show) {
 Pixels in_colours(const Picture& picture, Show show, double exposure, double heat_scale) {
   if (show == Show::light) return light(picture, exposure);
   if (is_heat(show)) return heat(picture, show, std::max(heat_scale, 1.0));
-  if (const Layer* layer = picture.find(order_layer); show == Show::order)
-    return layer ? order(picture, *layer) : black(picture);
-  const auto with = [&](LayerId id, auto paint_layer) {
-    const Layer* layer = picture.find(picture_layer(id));
-    return layer ? paint_layer(picture, *layer) : black(picture);
-  };
-  switch (show) {
-    case Show::position: return with(LayerId::position, positions);
-    case Show::normal: return with(LayerId::normal, normals);
-    case Show::albedo: return with(LayerId::albedo, albedo);
-    case Show::depth: return with(LayerId::depth, depth);
-    case Show::objects: return with(LayerId::object, numbers);
-    case Show::materials: return with(LayerId::material, numbers);
-    default: return light(picture, exposure);
-  }
+  const Layer* layer = show == Show::order ? picture.find(order_layer) : layer_of(picture, show);
+  if (!layer) return black(picture);
+  return show == Show::order ? order(picture, *layer) : paint_layer(picture, *layer, row_of(show).paint);
 }
 
 }  // namespace crsh::viewer

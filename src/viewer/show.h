@@ -1,7 +1,6 @@
 #pragma once
-// The ways of looking at a picture: its light, or one of its layers in colours.
+// The ways of looking at a picture: its light, how its rays are sorted, or one of its layers in colours.
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -11,30 +10,17 @@
 
 namespace crsh::viewer {
 
-/// Rows of show_table.
-enum class Show : uint32_t {
-  light,
-  tests,
-  triangle_tests,
-  node_tests,
-  object_tests,
-  order,
-  position,
-  normal,
-  albedo,
-  depth,
-  objects,
-  materials
-};
-inline constexpr size_t show_count = 12;
+/// Rows of show_table: these, then every layer that says how it is painted (crsh/layers.h).
+enum class Show : uint32_t { light, tests, order };
 
 struct ShowRow {
   std::string_view name, help;
   LayerSet layers = {};  ///< that it needs
+  Paint paint = Paint::nothing;
 };
 
 /// By Show.
-[[nodiscard]] const std::array<ShowRow, show_count>& show_table();
+[[nodiscard]] const std::vector<ShowRow>& show_table();
 [[nodiscard]] inline const ShowRow& row_of(Show show) { return show_table()[static_cast<size_t>(show)]; }
 /// Shown on the heat scale.
 [[nodiscard]] bool is_heat(Show show);

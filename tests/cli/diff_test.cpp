@@ -164,10 +164,9 @@ TEST_CASE("idiff finds our EXR files equal and different where we do") {
 /// A picture with every layer, and the file of it in which one value of one layer is other.
 Picture layered_picture(LayerId other = LayerId::beauty, float change = 0) {
   Picture picture{.width = 5, .height = 3, .layers = {}};
-  for (size_t id = 0; id < layer_count; ++id) {
-    const auto layer = static_cast<LayerId>(id);
+  for (const LayerId layer : LayerSet::all().members()) {
     Layer& made = picture.layers.emplace_back(Layer{picture_layer(layer), channels_of(layer), {}, {}});
-    const bool numbers = layer == LayerId::object || layer == LayerId::material;
+    const bool numbers = is_numbers(layer);
     if (numbers) made.ids.assign(15, 7);
     else made.values.assign(15 * made.channels.size(), 0.5f);
     if (layer != other) continue;
@@ -182,10 +181,10 @@ TEST_CASE("a value that differs is seen in its own layer and no other, and idiff
   const std::vector<std::string> every = picture_layers(LayerSet::all());
   output::write_exr(folder / "a.exr", layered_picture(), every, {});
   const bool idiff = idiff_is_here();
-  const LayerSet of_each_type = {LayerId::beauty, LayerId::object, LayerId::node_tests};
+  const LayerSet of_each_type = {LayerId::beauty, layer_named("Object"), layer_named("Tests.node")};
   for (const LayerRow& row : layer_table) {
     CAPTURE(row.name);
-    const auto layer = static_cast<LayerId>(&row - layer_table.data());
+    const LayerId layer = layer_named(row.name);
     output::write_exr(folder / "b.exr", layered_picture(layer, 0.25f), every, {});
     const output::Image a = output::read_image(folder / "a.exr"), b = output::read_image(folder / "b.exr");
     for (const LayerRow& compared : layer_table)

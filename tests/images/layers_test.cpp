@@ -191,7 +191,7 @@ TEST_CASE("asking for layers changes neither the others nor a counter") {
   CHECK(difference_of_counters(all.statistics, beauty.statistics) == "");
   for (size_t third = 0; third < 3; ++third) {
     LayerSet some;
-    for (size_t id = third; id < layer_count; id += 3) some.add(static_cast<LayerId>(id));
+    for (size_t id = third; id < layer_count; id += 3) some.add(LayerId(id));
     for (const Layer& layer : with(some).picture.layers) {
       CAPTURE(layer.name);
       CHECK(layer.values == all.picture.find(layer.name)->values);

@@ -229,11 +229,12 @@ TEST_CASE("layers are named alone, with others, by their channels or all at once
   const auto chosen = [](const std::string& list) { return Parsed({"--layers", list}).command.options.layers; };
   CHECK(Parsed({}).command.options.layers == default_layers);
   CHECK(chosen("all") == LayerSet::all());
-  CHECK(chosen("Z,Direct") == LayerSet{LayerId::depth, LayerId::direct});
-  CHECK(chosen("Direct.*") == LayerSet{LayerId::direct});
-  CHECK(chosen("Shadow.Y,Object.id") == LayerSet{LayerId::shadow, LayerId::object});
-  CHECK(chosen("Tests") == LayerSet{LayerId::triangle_tests, LayerId::node_tests, LayerId::object_tests});
-  CHECK(chosen("Tests.node") == LayerSet{LayerId::node_tests});
+  CHECK(chosen("Z,Direct") == LayerSet{LayerId::depth, layer_named("Direct")});
+  CHECK(chosen("Direct.*") == LayerSet{layer_named("Direct")});
+  CHECK(chosen("Shadow.Y,Object.id") == LayerSet{LayerId::shadow, layer_named("Object")});
+  CHECK(chosen("Tests") ==
+        LayerSet{layer_named("Tests.triangle"), layer_named("Tests.node"), layer_named("Tests.object")});
+  CHECK(chosen("Tests.node") == LayerSet{layer_named("Tests.node")});
   for (const char* wrong : {"", "z", "Direct.R", "Tests.", "Z,", "Z Direct"}) {
     CAPTURE(wrong);
     CHECK_THROWS_WITH_AS((void)chosen(wrong), Contains("no such layer: choose of beauty, Direct, "), UserError);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "output/image.h"
+#include "viewer/show.h"
 #include "viewer/view.h"
 
 namespace crsh {
@@ -50,9 +51,7 @@ void check_all_differ(const std::vector<std::string>& parts, const std::vector<s
 
 TEST_CASE("every way of showing a picture looks unlike the others" * doctest::test_suite("subset")) {
   std::vector<std::string> parts;
-  for (const char* name : {"light", "tests", "triangle tests", "node tests", "object tests", "hash order", "position",
-                           "normal", "albedo", "depth", "objects", "materials"})
-    parts.push_back(std::string("choose show=") + name);
+  for (const viewer::ShowRow& row : viewer::show_table()) parts.push_back("choose show=" + std::string(row.name));
   check_all_differ(parts);
 }
 
