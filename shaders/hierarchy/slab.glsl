@@ -70,6 +70,28 @@ vec2 bound_spread(Slab node) {
   return vec2(sine < 1.0 ? sine / sqrt(1.0 - sine * sine) : slab_wide, radius);
 }
 
+/// Tangent of the angle between two directions, rounded outwards; 1e30 from a right angle on.
+float slab_tangent_between(vec3 a, vec3 b) {
+  precise float along = exact_dot(a, b) - slab_pad * exact_length(a) * exact_length(b);
+  float across = exact_length(exact_cross(a, b));
+  return along > 0.0 ? min(across / along * bound_slack + slab_pad, 1e30) : 1e30;
+}
+
+/// The ball around the box of origins, and the cone around the box of directions, for looking at the node.
+Node bound_outline(Slab node) {
+  precise vec3 centre = 0.5 * (node.origin_low.xyz + node.origin_high.xyz);
+  precise float radius = exact_length(node.origin_high.xyz - centre) * bound_slack + slab_pad * largest(centre);
+  vec3 low = node.direction_low.xyz, high = node.direction_high.xyz;
+  precise vec3 middle = low + high;
+  float tangent = 0.0;
+  if (largest(middle) < 1e-6) return Node(vec4(centre, radius), vec4(0.0, 0.0, 1.0, 1e30));
+  for (uint corner = 0u; corner < 8u; ++corner) {
+    vec3 direction = mix(low, high, bvec3((corner & 1u) != 0u, (corner & 2u) != 0u, (corner & 4u) != 0u));
+    tangent = max(tangent, slab_tangent_between(direction, middle));
+  }
+  return Node(vec4(centre, radius), vec4(exact_normalize(middle), tangent));
+}
+
 /// Whether the box reaches into what lies between the rays' origins and their ends.
 bool slab_passes(Slab node, vec3 low, vec3 high) {
   return all(lessThanEqual(min(node.origin_low.xyz, node.end_low.xyz), high)) &&

@@ -5,23 +5,13 @@
 
 #include "cli/render_options.h"
 #include "cli/rows.h"
-#include "gpu/program.h"
+#include "hierarchy/hierarchy.h"
 #include "rays/hash.h"
 
 namespace crsh::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Names of the node bounds that the build found.
-std::vector<std::string> bound_names() {
-  constexpr std::string_view prefix = "hierarchy/fit@", suffix = ".comp";
-  std::vector<std::string> names;
-  for (const std::string_view file : gpu::embedded_files())
-    if (file.starts_with(prefix) && file.ends_with(suffix))
-      names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
-  return names;
-}
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
@@ -107,7 +97,7 @@ Option levels_option(AlgorithmOptions& algorithm) {
 }
 
 Option bound_option(AlgorithmOptions& algorithm) {
-  const std::vector<std::string> names = bound_names();
+  const std::vector<std::string> names = hierarchy::bound_names();
   return {.names = "--bound",
           .value = "NAME",
           .help = fmt::format("Bound of a node: {}.", fmt::join(names, ", ")),

@@ -18,8 +18,11 @@ constexpr uint64_t most_fitted_rays = 8192;
 /// What a bound's file declares of itself, by constant_id (shaders/hierarchy/bounds).
 constexpr uint32_t bound_bytes_id = 9, bound_merge_fits_id = 10;
 
+/// Every bound has a shader of this name.
+constexpr std::string_view prefix = "hierarchy/fit@", suffix = ".comp";
+
 uint32_t declared(const std::string& bound, uint32_t constant_id) {
-  return gpu::declared_constant("hierarchy/fit@" + bound + ".comp", constant_id);
+  return gpu::declared_constant(std::string(prefix) + bound + std::string(suffix), constant_id);
 }
 
 uint32_t depth_of(const In& in) {
@@ -75,6 +78,14 @@ void bound(gpu::Recorder& recorder, const In& in, Hierarchy& out, uint32_t index
 
 }  // namespace
 
+std::vector<std::string> bound_names() {
+  std::vector<std::string> names;
+  for (const std::string_view file : gpu::embedded_files())
+    if (file.starts_with(prefix) && file.ends_with(suffix))
+      names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
+  return names;
+}
+
 Range Level::children_of(Range wanted) const {
   if (wanted.count == 0) return {};
   if (!cut_children.empty()) {
@@ -112,6 +123,14 @@ std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, ui
   recorder.dispatch("hierarchy/spread@" + hierarchy.bound, level.count, level.count,
                     {{"nodes", level.nodes}, {"spreads", hierarchy.spreads}});
   return recorder.read<glm::vec2>(hierarchy.spreads, level.count);
+}
+
+std::vector<shared::Node> outlines(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index) {
+  const Level& level = hierarchy.levels[index];
+  primitives::grow(recorder, hierarchy.outlines, level.count * sizeof(shared::Node), "node outlines");
+  recorder.dispatch("hierarchy/outline@" + hierarchy.bound, level.count, level.count,
+                    {level.nodes, hierarchy.outlines});
+  return recorder.read<shared::Node>(hierarchy.outlines, level.count);
 }
 
 }  // namespace crsh::hierarchy

@@ -12,6 +12,7 @@
 #include "gpu/recorder.h"
 #include "primitives/compact.h"
 #include "rays/batch.h"
+#include "shared/node.h"
 
 namespace crsh::hierarchy {
 
@@ -23,7 +24,7 @@ struct Range {
 
 /// One level of nodes; level 1 stands on the rays.
 struct Level {
-  gpu::Buffer nodes;      ///< as the bound has them: shared::Node, shared::Slab
+  gpu::Buffer nodes;      ///< as the bound has them: BOUND of its shader file
   gpu::Buffer intervals;  ///< shared::Interval
   gpu::Buffer children;   ///< uvec2 a node: [first, end) nodes or rays of the level below
   gpu::Buffer rays;       ///< uvec2 a node: [first, end) sorted positions of its rays
@@ -53,8 +54,11 @@ struct Hierarchy {
   uint32_t rays = 0;
   std::string bound;  ///< file below shaders/hierarchy/bounds/
   CutScratch cut;
-  gpu::Buffer spreads;
+  gpu::Buffer spreads, outlines;
 };
+
+/// Names of all node bounds that the build found, sorted: files below shaders/hierarchy/bounds/.
+[[nodiscard]] std::vector<std::string> bound_names();
 
 struct In {
   const gpu::Buffer& sorted_rays;  ///< shared::Ray a ray, in sorted order
@@ -70,5 +74,9 @@ void build(gpu::Recorder& recorder, const In& in, Hierarchy& out);
 /// For each node of levels[index] the tangent of its half-angle (1e30 and above: a right angle or wider) and its
 /// radius, metres. Submits and waits.
 [[nodiscard]] std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index);
+
+/// For each node of levels[index] a ball that holds the origins of its rays and a cone that holds their directions,
+/// whatever its bound is made of. Submits and waits.
+[[nodiscard]] std::vector<shared::Node> outlines(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index);
 
 }  // namespace crsh::hierarchy

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hierarchy/hierarchy.h"
 #include "support/device.h"
 #include "support/render.h"
 
@@ -115,6 +116,12 @@ TEST_CASE("nodes off the device hold their rays, whatever the bound") {
   for (const std::string algorithm : {"crsh", "crsh-2017", "rah"}) {
     CAPTURE(algorithm);
     check_nodes(small(algorithm));
+  }
+  for (const std::string& bound : hierarchy::bound_names()) {
+    CAPTURE(bound);
+    RenderOptions options = small("crsh");
+    options.algorithm.bound = bound;
+    check_nodes(options);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/program.h"
+#include "hierarchy/hierarchy.h"
 #include "rays/hash.h"
 #include "support/device.h"
 #include "support/render.h"
@@ -51,15 +51,6 @@ TEST_CASE("every key, with compression, and every way to build levels give the s
   CHECK(device().validation_messages() == 0);
 }
 
-std::vector<std::string> bounds() {
-  constexpr std::string_view prefix = "hierarchy/fit@", suffix = ".comp";
-  std::vector<std::string> names;
-  for (const std::string_view file : gpu::embedded_files())
-    if (file.starts_with(prefix))
-      names.emplace_back(file.substr(prefix.size(), file.size() - prefix.size() - suffix.size()));
-  return names;
-}
-
 /// On both kinds of device: where lanes read lists together, and where each walks alone.
 void check_bound(const std::string& algorithm, const std::string& bound, gpu::Device& alone, const Rendered& expected) {
   CAPTURE(algorithm);
@@ -79,7 +70,7 @@ TEST_CASE("every bound gives the same, and so do lanes that walk alone, without 
   request.walk_alone = true;
   gpu::Device alone(request);
   const Rendered expected = render(own_scene("glass"), tiny(1));
-  for (const std::string& bound : bounds())
+  for (const std::string& bound : hierarchy::bound_names())
     for (const char* algorithm : {"crsh", "crsh-bvh"}) check_bound(algorithm, bound, alone, expected);
   RenderOptions brute = tiny(1);
   brute.algorithm = preset("brute");

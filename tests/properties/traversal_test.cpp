@@ -100,12 +100,12 @@ TEST_CASE("no bound rejects a ray that hits, whatever the arity, levels, fit, in
   }
 }
 
-TEST_CASE("no other bound rejects a ray that hits, with nodes of one size and cut where coherence ends") {
+TEST_CASE("no bound of the build's rejects a ray that hits, with nodes of one size and cut where coherence ends") {
   Tracer tracer(test::device());
   for (uint32_t seed = 1; seed <= 6; ++seed) {
     const World world = make_world(tracer, seed);
     const Traced all = tracer.trace_all(world.scene, world.rays);
-    for (const char* bound : {"slab", "slab-edges", "sphere-cone"})
+    for (const std::string& bound : hierarchy::bound_names())
       for (const auto& [arity, levels] : {std::pair{2u, 1u}, {2u, 5u}, {8u, 2u}, {64u, 2u}})
         for (const uint32_t switches : {0u, 1u, 3u}) {
           TraceOptions options{algorithm(arity, levels)};
@@ -115,7 +115,7 @@ TEST_CASE("no other bound rejects a ray that hits, with nodes of one size and cu
           options.algorithm.cut_angle = seed % 2 ? 0.3f : 3.0f;
           const Traced traced = tracer.trace(world.scene, world.rays, options);
           CAPTURE(seed);
-          CAPTURE(std::string(bound));
+          CAPTURE(bound);
           CAPTURE(arity);
           CAPTURE(switches);
           CHECK(different_hits(traced, all).empty());
@@ -125,7 +125,7 @@ TEST_CASE("no other bound rejects a ray that hits, with nodes of one size and cu
 
 /// With nodes that are cut and that are not, on both builds of the kernel.
 void check_objects(Tracer& tracer, const World& world, const Traced& all, uint32_t seed) {
-  for (const char* bound : {"slab", "slab-edges", "sphere-cone"})
+  for (const std::string& bound : hierarchy::bound_names())
     for (const auto& [arity, levels] : {std::pair{2u, 1u}, {8u, 2u}, {64u, 2u}})
       for (const bool cut : {false, true}) {
         TraceOptions options{algorithm(arity, levels)};
@@ -135,7 +135,7 @@ void check_objects(Tracer& tracer, const World& world, const Traced& all, uint32
         options.algorithm.cut_angle = 0.3f, options.algorithm.cut_distance = 0.1f, options.extent = 4;
         options.submit_work = seed % 3 ? uint64_t(1) << 26 : 1 << 14;
         CAPTURE(seed);
-        CAPTURE(std::string(bound));
+        CAPTURE(bound);
         CAPTURE(arity);
         CAPTURE(cut);
         CHECK(different_hits(tracer.trace_objects(world.scene, world.rays, options), all).empty());
@@ -265,15 +265,16 @@ TEST_CASE("with cones or slabs 1% too narrow a ray is lost") {
   Tracer tracer(test::device());
   const World world = make_world(tracer, 1);
   const Traced all = tracer.trace_all(world.scene, world.rays);
-  for (const auto& [fit, bound] :
-       {std::pair{Fit::merged, "sphere-cone"}, {Fit::all, "sphere-cone"}, {Fit::all, "slab-edges"}}) {
-    TraceOptions options{algorithm(8, 2)};
-    options.algorithm.fit = fit;
-    options.algorithm.bound = bound;
-    CHECK(different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
-    options.narrow_cones = true;
-    CHECK(!different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
-  }
+  for (const std::string& bound : hierarchy::bound_names())
+    for (const Fit fit : {Fit::merged, Fit::all}) {
+      CAPTURE(bound);
+      TraceOptions options{algorithm(8, 2)};
+      options.algorithm.fit = fit;
+      options.algorithm.bound = bound;
+      CHECK(different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
+      options.narrow_cones = true;
+      CHECK(!different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
+    }
 }
 
 TEST_CASE("with every 10,000th pair dropped a hit is lost") {

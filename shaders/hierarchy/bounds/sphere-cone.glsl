@@ -135,6 +135,9 @@ Node bound_narrowed(Node node, float scale) { return Node(node.sphere, vec4(node
 /// Tangent of the half-angle (1e30: a right angle or wider) and radius, for the statistics.
 vec2 bound_spread(Node node) { return vec2(node.cone.w, node.sphere.w); }
 
+/// The node as a ball and a cone, for looking at it: that is what it is.
+Node bound_outline(Node node) { return node; }
+
 /// Equation 9 (Roger et al. 2007) on a sphere of objects or of one triangle, with the signed distance along the axis,
 /// so that what lies behind the apex is rejected; and nothing beyond the interval's far end. No epsilon in scene
 /// units: the slack is relative to the distances at hand.
