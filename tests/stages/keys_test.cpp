@@ -1,11 +1,14 @@
-// Sort keys against their C++ twins, and what they promise.
+// What every sort key promises, those of the build's own besides, and those with a C++ twin bit for bit.
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <numeric>
+#include <random>
 #include <set>
 
 #include "batches.h"
+#include "crsh/options.h"
 #include "keys_twin.h"
 #include "rays/hash.h"
 
@@ -43,10 +46,12 @@ glm::vec3 direction_of_cell(uint32_t x, uint32_t y, uint32_t bits) {
 
 }  // namespace
 
-TEST_CASE("every key agrees with its C++ twin bit for bit") {
+TEST_CASE("every key that has a C++ twin agrees with it bit for bit") {
+  std::set<std::string> compared;
   for (const std::string& key : rays::key_names())
     for (uint32_t kind = 0; kind < shared::kind_count; ++kind) {
       const std::vector<shared::Ray> rays = test::key_rays(20'000, kind);
+      if (!test::key_twin(key, place_of(rays[0]), rays[0].direction, kind)) continue;
       const std::vector<uint32_t> found = hashes(key, rays, kind);
       uint32_t different = 0;
       for (size_t i = 0; i < rays.size(); ++i)
@@ -54,7 +59,10 @@ TEST_CASE("every key agrees with its C++ twin bit for bit") {
       CAPTURE(key);
       CAPTURE(kind);
       CHECK(different == 0);
+      compared.insert(key);
     }
+  for (const AlgorithmOptions& algorithm : {preset("crsh-2017"), preset("crsh"), preset("crsh-bvh")})
+    for (const std::string& key : algorithm.keys) CHECK(compared.contains(key));  // what is used unasked has one
 }
 
 TEST_CASE("the spherical key's angles are right to a millionth of a radian") {
@@ -64,6 +72,34 @@ TEST_CASE("the spherical key's angles are right to a millionth of a radian") {
     worst = std::max(worst, std::abs(std::atan2(z, x) - double(test::atan_twin(ray.direction.z, ray.direction.x))));
   }
   CHECK(worst < 1e-6);
+}
+
+TEST_CASE("a key depends on the ray alone: not on the rays around it, nor on its place among them") {
+  for (const std::string& key : rays::key_names())
+    for (uint32_t kind = 0; kind < shared::kind_count; ++kind) {
+      std::vector<shared::Ray> rays = test::key_rays(3'000, kind);
+      const std::vector<uint32_t> before = hashes(key, rays, kind);
+      std::vector<uint32_t> order(rays.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::shuffle(order.begin(), order.end(), std::mt19937(5));
+      std::vector<shared::Ray> shuffled;
+      for (const uint32_t i : order) shuffled.push_back(rays[i]);
+      const std::vector<uint32_t> after = hashes(key, shuffled, kind);
+      uint32_t different = 0;
+      for (size_t i = 0; i < order.size(); ++i) different += after[i] != before[order[i]];
+      CAPTURE(key);
+      CHECK(different == 0);
+    }
+}
+
+TEST_CASE("places beyond the scene's bounds have the key of the nearest place on them") {
+  for (const std::string& key : rays::key_names())
+    for (uint32_t kind = 0; kind < shared::kind_count; ++kind) {
+      std::vector<shared::Ray> rays = test::key_rays(3'000, kind), clamped = rays;
+      for (shared::Ray& ray : clamped) ray.origin = glm::vec4(glm::clamp(glm::vec3(ray.origin), -1.0f, 1.0f), INFINITY);
+      CAPTURE(key);
+      CHECK(hashes(key, rays, kind) == hashes(key, clamped, kind));
+    }
 }
 
 TEST_CASE("every key keeps to its bits, and to 26, so that 64 segments fit beside it") {
@@ -77,10 +113,12 @@ TEST_CASE("every key keeps to its bits, and to 26, so that 64 segments fit besid
 }
 
 TEST_CASE("keys are the same on every run") {
-  for (const std::string& key : rays::key_names()) {
-    const std::vector<shared::Ray> rays = test::key_rays(10'000, shared::kind_reflection);
-    CHECK(hashes(key, rays, shared::kind_reflection) == hashes(key, rays, shared::kind_reflection));
-  }
+  for (const std::string& key : rays::key_names())
+    for (uint32_t kind = 0; kind < shared::kind_count; ++kind) {
+      const std::vector<shared::Ray> rays = test::key_rays(10'000, kind);
+      CAPTURE(key);
+      CHECK(hashes(key, rays, kind) == hashes(key, rays, kind));
+    }
 }
 
 TEST_CASE("the paper's key is theta and phi, 5 bits each, theta above phi") {
@@ -148,6 +186,9 @@ TEST_CASE("directions that have no key of their own still get one") {
   rays[1].direction = {NAN, 1, 0, 0};
   rays[2].origin = {INFINITY, -INFINITY, NAN, 1};
   for (const std::string& key : rays::key_names())
-    for (uint32_t hash : hashes(key, rays, shared::kind_reflection))
-      CHECK((uint64_t(hash) >> rays::hash_bits(key, shared::kind_reflection)) == 0);
+    for (uint32_t kind = 0; kind < shared::kind_count; ++kind)
+      for (uint32_t hash : hashes(key, rays, kind)) {
+        CAPTURE(key);
+        CHECK((uint64_t(hash) >> rays::hash_bits(key, kind)) == 0);
+      }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -72,7 +73,8 @@ inline glm::vec2 spherical_twin(glm::vec3 d) {
   return {atan_twin(level, d.y) * 0.318309886184f, atan_twin(d.z, d.x) * 0.159154943092f + 0.5f};
 }
 
-inline uint32_t key_twin(const std::string& name, glm::vec3 place, glm::vec3 d, uint32_t kind) {
+/// None for a key that has no twin here.
+inline std::optional<uint32_t> key_twin(const std::string& name, glm::vec3 place, glm::vec3 d, uint32_t kind) {
   const auto origin = [&](uint32_t bits) {
     return std::vector{cell_twin(place.x, bits), cell_twin(place.y, bits), cell_twin(place.z, bits)};
   };
@@ -91,7 +93,8 @@ inline uint32_t key_twin(const std::string& name, glm::vec3 place, glm::vec3 d, 
     const uint32_t hash = cell_twin(angles.x, 5) << 5 | cell_twin(angles.y, 5);
     return kind == shared::kind_shadow ? hash : (origin(5)[0] << 10 | origin(5)[1] << 5 | origin(5)[2]) << 10 | hash;
   }
-  return 0;
+  if (name == "creation") return 0;
+  return {};
 }
 
 /// Rays from the cube -1 .. 1 and some from outside it, along axes and diagonals too.
