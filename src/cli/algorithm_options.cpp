@@ -42,8 +42,8 @@ std::vector<std::string> allowed_keys() {
   return allowed;
 }
 
-std::string key_named(size_t kind, const std::string& name) {
-  if (name == "best") return std::string(ray_kinds[kind].best_key);
+std::string key_named(const AlgorithmOptions& algorithm, size_t kind, const std::string& name) {
+  if (name == "best") return best_key(algorithm.preset, kind);
   const std::vector<std::string> allowed = allowed_keys();
   return allowed[parse_choice(name, allowed)];
 }
@@ -63,13 +63,14 @@ Option algorithm_option(AlgorithmOptions& algorithm) {
 Option key_option(AlgorithmOptions& algorithm) {
   return {.names = "--key",
           .value = "[KIND=]NAME",
-          .help = fmt::format(
-              "Sort key of one kind of rays ({}) or of all: best, {}; file: those of --replay-rays. Repeats.",
-              fmt::join(kind_names(), ", "), fmt::join(rays::key_names(), ", ")),
+          .help = fmt::format("Sort key of one kind of rays ({}) or of all: best, the algorithm's own; {}; file: those "
+                              "of --replay-rays. Repeats.",
+                              fmt::join(kind_names(), ", "), fmt::join(rays::key_names(), ", ")),
           .set =
               [&algorithm](const std::string& given) {
-                for_kinds(given,
-                          [&](size_t kind, const std::string& name) { algorithm.keys[kind] = key_named(kind, name); });
+                for_kinds(given, [&](size_t kind, const std::string& name) {
+                  algorithm.keys[kind] = key_named(algorithm, kind, name);
+                });
               },
           .get =
               [&algorithm] {
@@ -108,6 +109,12 @@ Option bound_option(AlgorithmOptions& algorithm) {
 }
 
 }  // namespace
+
+std::string presets_help() {
+  std::string text = "Algorithms:\n";
+  for (const Preset& row : preset_table()) text += fmt::format("  {:<11}{}\n", row.name, row.help);
+  return text;
+}
 
 OptionGroup algorithm_options(AlgorithmOptions& algorithm) {
   const auto plain = [](Option option) { return with_default("", std::move(option)); };  // the preset's

@@ -207,7 +207,7 @@ Command render_command() {
           .summary = "Renders a glTF scene (.gltf or .glb) to OpenEXR or PNG.",
           .positionals = {{.name = "SCENE", .set = [command](const std::string& path) { command->scene = path; }}},
           .groups = render_options(*command),
-          .epilogue = layers_help() + "\n" + examples,
+          .epilogue = presets_help() + "\n" + layers_help() + "\n" + examples,
           .run = [command](const std::vector<std::string>& line) { run_render(*command, line); }};
 }
 

@@ -51,6 +51,8 @@ struct RenderCommand {
 /// --layers, and a line a layer for the help.
 [[nodiscard]] Option layers_option(LayerSet& layers);
 [[nodiscard]] std::string layers_help();
+/// What --algorithm may name, for the help.
+[[nodiscard]] std::string presets_help();
 /// What --layers may name.
 [[nodiscard]] std::vector<std::string> layer_words();
 

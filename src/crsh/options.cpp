@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "crsh/error.h"
 
@@ -12,7 +13,6 @@ namespace {
 
 AlgorithmOptions brute() {
   AlgorithmOptions options;
-  options.preset = "brute";
   options.tracing = Tracing::brute;
   options.compression = options.interval = options.mesh_culling = false;
   return options;
@@ -21,7 +21,6 @@ AlgorithmOptions brute() {
 /// What anybody would write: rays one by one through the object hierarchy.
 AlgorithmOptions bvh() {
   AlgorithmOptions options = brute();
-  options.preset = "bvh";
   options.tracing = Tracing::single_rays;
   options.object_hierarchy = true;
   return options;
@@ -30,7 +29,6 @@ AlgorithmOptions bvh() {
 /// The device's own hierarchy and traversal.
 AlgorithmOptions ray_query() {
   AlgorithmOptions options = brute();
-  options.preset = ray_query_preset;
   options.tracing = Tracing::ray_query;
   return options;
 }
@@ -38,7 +36,6 @@ AlgorithmOptions ray_query() {
 /// Roger et al. 2007: rays as they come from screen tiles.
 AlgorithmOptions rah() {
   AlgorithmOptions options;
-  options.preset = "rah";
   options.ray_order = RayOrder::tiles;
   options.compression = options.mesh_culling = false;
   return options;
@@ -47,7 +44,6 @@ AlgorithmOptions rah() {
 /// The paper as printed.
 AlgorithmOptions crsh_2017() {
   AlgorithmOptions options;
-  options.preset = "crsh-2017";
   options.keys.fill("spherical");
   options.fit = Fit::merged;
   options.interval = false;
@@ -57,7 +53,6 @@ AlgorithmOptions crsh_2017() {
 /// Our best: each kind with its best key, nodes that end where coherence does, and the tightest bound.
 AlgorithmOptions crsh_best() {
   AlgorithmOptions options;
-  options.preset = "crsh";
   options.levels = {5, 4, 4};
   options.compression = false;
   options.nodes = NodeCut::cut;
@@ -69,7 +64,6 @@ AlgorithmOptions crsh_best() {
 /// Nodes of rays through the object hierarchy. Here nodes may be small: they are not tested against the whole scene.
 AlgorithmOptions crsh_bvh() {
   AlgorithmOptions options = crsh_best();
-  options.preset = "crsh-bvh";
   options.object_hierarchy = true;
   options.mesh_culling = false;
   options.levels = {2, 2, 2};
@@ -80,23 +74,45 @@ AlgorithmOptions crsh_bvh() {
   return options;
 }
 
+constexpr auto presets = std::to_array<Preset>({
+    {"brute", "every ray against every triangle", brute},
+    {"bvh", "rays one by one through a hierarchy over the triangles", bvh},
+    {"rah", "nodes of rays as they come from the screen's tiles", rah},
+    {"crsh-2017", "the paper's: sorted by direction, nodes of 8 rays", crsh_2017},
+    {"crsh", "our best keys, nodes and bounds, without a hierarchy over triangles", crsh_best},
+    {"crsh-bvh", "the same nodes through the hierarchy over triangles", crsh_bvh},
+    {ray_query_preset, "the device's own hierarchy (VK_KHR_ray_query)", ray_query, false},
+});
+
 }  // namespace
 
+std::span<const Preset> preset_table() { return presets; }
+
 const std::vector<std::string>& preset_names() {
-  static const std::vector<std::string> names = {"brute", "bvh", "rah", "crsh-2017", "crsh", "crsh-bvh"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> everywhere;
+    for (const Preset& row : presets)
+      if (row.everywhere) everywhere.emplace_back(row.name);
+    return everywhere;
+  }();
   return names;
 }
 
-AlgorithmOptions preset(const std::string& name) {
-  if (name == "brute") return brute();
-  if (name == "bvh") return bvh();
-  if (name == ray_query_preset) return ray_query();
-  if (name == "rah") return rah();
-  if (name == "crsh-2017") return crsh_2017();
-  if (name == "crsh") return crsh_best();
-  if (name == "crsh-bvh") return crsh_bvh();
-  throw UserError(fmt::format("no such algorithm: choose {}, {}", fmt::join(preset_names(), ", "), ray_query_preset),
-                  Exit::usage);
+AlgorithmOptions preset(std::string_view name) {
+  const auto row = std::ranges::find(presets, name, &Preset::name);
+  if (row == presets.end()) {
+    std::vector<std::string_view> names;
+    for (const Preset& other : presets) names.push_back(other.name);
+    throw UserError(fmt::format("no such algorithm: choose {}", fmt::join(names, ", ")), Exit::usage);
+  }
+  AlgorithmOptions options = row->options();
+  options.preset = name;
+  return options;
+}
+
+std::string best_key(std::string_view preset_name, size_t kind) {
+  const std::string own = preset(preset_name).keys[kind];
+  return own.empty() ? std::string(ray_kinds[kind].best_key) : own;
 }
 
 void require_sound(const AlgorithmOptions& options) {

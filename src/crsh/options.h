@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "crsh/kinds.h"
@@ -36,10 +38,12 @@ enum class Fit { merged, all };
 /// What meets the scene: nodes of rays, or single rays; by themselves, or through the object hierarchy.
 enum class Tracing { nodes, brute, single_rays, ray_query };
 
+inline constexpr std::string_view default_preset = "crsh-bvh";
+
 /// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
 struct AlgorithmOptions {
   bool operator==(const AlgorithmOptions&) const = default;
-  std::string preset = "crsh-bvh";
+  std::string preset = std::string(default_preset);
   Tracing tracing = Tracing::nodes;  ///< brute: every ray against every triangle. Unless nodes: no switch matters
   bool object_hierarchy = false;     ///< there is one over the triangles (objects/)
   std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
@@ -59,10 +63,21 @@ struct AlgorithmOptions {
   bool mixed_batches = true;  ///< ray kinds of a bounce are sorted and bundled together
 };
 
-/// The preset of this name: one of preset_names(), or ray_query_preset. Throws UserError that lists them for any other.
-[[nodiscard]] AlgorithmOptions preset(const std::string& name);
-/// Names of the presets that give the same picture bit for bit on every device, in the order in which tables show them.
+/// An algorithm: values of all switches under a name.
+struct Preset {
+  std::string_view name;  ///< --algorithm
+  std::string_view help;
+  AlgorithmOptions (*options)();
+  bool everywhere = true;  ///< on every device, with the same picture bit for bit; else it is near the others'
+};
+/// In the order in which tables show them.
+[[nodiscard]] std::span<const Preset> preset_table();
+/// Names of the presets that run everywhere.
 [[nodiscard]] const std::vector<std::string>& preset_names();
+/// The preset of this name. Throws UserError that lists all for any other.
+[[nodiscard]] AlgorithmOptions preset(std::string_view name);
+/// The key that --key best means for rays of this kind: the preset's own, or ray_kinds' where the preset does not sort.
+[[nodiscard]] std::string best_key(std::string_view preset_name, size_t kind);
 /// Throws UserError where switches do not go together.
 void require_sound(const AlgorithmOptions& options);
 /// The preset that only devices with ray queries have, and whose picture is the same within a tolerance.
@@ -80,7 +95,7 @@ struct RenderOptions {
   std::array<bool, kind_count> rays = {true, true, true};
   bool override_mirror = false;
   LayerSet layers = default_layers;  ///< of the picture, besides the beauty
-  AlgorithmOptions algorithm = preset("crsh-bvh");
+  AlgorithmOptions algorithm = preset(default_preset);
   uint64_t submit_work = uint64_t(1) << 26;  ///< tests a submit
   std::optional<std::string> mutation;       ///< test-only: a fault to switch on (tests/README.md)
 };

@@ -50,6 +50,11 @@ TEST_CASE("the presets are those of the design") {
     CHECK(preset(name).preset == name);
     CHECK(preset(name).arity == 8);
   }
+  CHECK(preset(default_preset).preset == default_preset);
+  for (const Preset& row : preset_table()) {
+    CHECK(row.options().tracing == preset(row.name).tracing);
+    CHECK(cli::presets_help().find(row.help) != std::string::npos);
+  }
   CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh, crsh-bvh, ray-query"),
                        UserError);
 }
@@ -87,6 +92,21 @@ TEST_CASE("a key is of one kind or of all, and best is each kind's own") {
   const auto& keys = parsed.command.options.algorithm.keys;
   CHECK(keys[0] == ray_kinds[0].best_key);
   CHECK(keys[1] == "spherical");
+}
+
+TEST_CASE("best is the algorithm's own key, wherever it stands, and the kind's where the algorithm does not sort") {
+  for (const std::string& name : preset_names()) {
+    CAPTURE(name);
+    const AlgorithmOptions own = preset(name);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--key", "best", "--algorithm", name}, {"--algorithm", name, "--key", "best"}}) {
+      const Parsed parsed(arguments);
+      for (size_t kind = 0; kind < kind_count; ++kind)
+        CHECK(parsed.command.options.algorithm.keys[kind] ==
+              (own.keys[kind].empty() ? std::string(ray_kinds[kind].best_key) : own.keys[kind]));
+    }
+  }
+  CHECK(Parsed({"--key", "best"}).command.options.algorithm == preset(default_preset));
 }
 
 TEST_CASE("the last of a repeated option wins, and repeating ones add up") {
