@@ -129,7 +129,7 @@ std::vector<shared::Node> outlines(gpu::Recorder& recorder, Hierarchy& hierarchy
   const Level& level = hierarchy.levels[index];
   primitives::grow(recorder, hierarchy.outlines, level.count * sizeof(shared::Node), "node outlines");
   recorder.dispatch("hierarchy/outline@" + hierarchy.bound, level.count, level.count,
-                    {level.nodes, hierarchy.outlines});
+                    {{"nodes", level.nodes}, {"outlines", hierarchy.outlines}});
   return recorder.read<shared::Node>(hierarchy.outlines, level.count);
 }
 
