@@ -7,6 +7,7 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 layout(local_size_x = 64) in;
+#include "lib/chance.glsl"
 #include "lib/counters.glsl"
 #include "lib/invocation.glsl"
 #include "shared/limits.h"
@@ -29,15 +30,6 @@ layout(binding = 2, scalar) readonly buffer Pixels { vec4 diffuse_pixel[]; };
 layout(binding = 3, scalar) readonly buffer Paths { vec4 specular_path[]; };
 layout(binding = 4, scalar) buffer Counters { uvec2 counters[]; };
 
-/// One round of a 32-bit finaliser (constants of Wellons's lowbias32).
-uint mixed(uint x) {
-  x = (x ^ (x >> 16)) * 0x7FEB352Du;
-  x = (x ^ (x >> 15)) * 0x846CA68Bu;
-  return x ^ (x >> 16);
-}
-
-uint absorbed(uint state, uint word) { return mixed(state ^ (word + 0x9E3779B9u + (state << 6) + (state >> 2))); }
-
 uvec2 digest_of(uint surface, uvec4 hit) {
   uint words[7] = uint[7](floatBitsToUint(diffuse_pixel[surface].w), floatBitsToUint(specular_path[surface].w), kind,
                           light, hit.x, hit.y, hit.z);
@@ -56,8 +48,8 @@ void main() {
       uvec4 hit = hits[ray];
       uvec2 digest = digest_of(first_surface + slots[ray] % surfaces, hit);
       parts += uvec4(digest.x & 0xFFFFu, digest.x >> 16, digest.y & 0xFFFFu, digest.y >> 16);
-      bool shadow = kind == kind_shadow;
-      met += (shadow ? all(equal(hit.xyz, uvec3(0xFFFFFFFFu))) : hit.y != none) ? 1u : 0u;
+      bool any_hit = takes_any_hit(kind);
+      met += (any_hit ? all(equal(hit.xyz, uvec3(0xFFFFFFFFu))) : hit.y != none) ? 1u : 0u;
       i += lanes;
       if (i >= ray_count) break;
     }

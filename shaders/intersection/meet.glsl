@@ -50,17 +50,17 @@ uvec4 meet(uvec4 hit, Ray ray, Shear shear, Loaded loaded) {
   uint triangle = loaded.id;
   vec4 a = loaded.a, b = loaded.b, c = loaded.c;
   uint flags = floatBitsToUint(a.w);
-  bool shadow = uint(ray.direction.w) == kind_shadow;
-  bool cull_back = !shadow && (flags & triangle_cull_back) != 0u;
+  bool any_hit = takes_any_hit(ray);
+  bool cull_back = !any_hit && (flags & triangle_cull_back) != 0u;
   float t;
   bool met = hit_triangle(ray.origin.xyz, ray.direction.xyz, shear, ray.origin.w, a.xyz, b.xyz, c.xyz, cull_back, t);
 
   float best = uintBitsToFloat(hit.x);
-  bool closer = !shadow && met && (t < best || (t == best && triangle < hit.y));
-  bool stopped = shadow && met && (flags & triangle_transmissive) == 0u;
+  bool closer = !any_hit && met && (t < best || (t == best && triangle < hit.y));
+  bool stopped = any_hit && met && (flags & triangle_transmissive) == 0u;
   uvec4 result = closer ? uvec4(floatBitsToUint(t), triangle, 0u, 0u) : hit;
   result = stopped ? uvec4(blocked, blocked, blocked, 0u) : result;
-  if (shadow && met && !stopped)
+  if (any_hit && met && !stopped)
     result.xyz = saturating_sum(result.xyz, materials[flags & triangle_material_mask].tint.xyz);
   return result;
 }

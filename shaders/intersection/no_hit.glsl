@@ -5,6 +5,6 @@
 #include "shared/ray.h"
 
 /// What a ray begins with: t infinite and no triangle, or a transmittance of 1 (-log2 is 0).
-uvec4 no_hit(Ray ray) { return uint(ray.direction.w) == kind_shadow ? uvec4(0u) : uvec4(0x7F800000u, none, 0u, 0u); }
+uvec4 no_hit(Ray ray) { return takes_any_hit(ray) ? uvec4(0u) : uvec4(0x7F800000u, none, 0u, 0u); }
 
 #endif

@@ -3,12 +3,12 @@
 uvec2 node_rays;  // sorted positions, first and end
 
 /// Nothing can change what has become of the ray.
-bool is_done(Ray ray, uvec4 hit) { return uint(ray.direction.w) == kind_shadow && all(equal(hit.xyz, uvec3(blocked))); }
+bool is_done(Ray ray, uvec4 hit) { return takes_any_hit(ray) && all(equal(hit.xyz, uvec3(blocked))); }
 
 /// Beyond this t nothing counts.
 float limit_of(Ray ray, uvec4 hit) {
   float end = use_interval == 1u ? ray.origin.w : 3e38;
-  return uint(ray.direction.w) == kind_shadow ? end : min(end, uintBitsToFloat(hit.x));
+  return takes_any_hit(ray) ? end : min(end, uintBitsToFloat(hit.x));
 }
 
 /// Whether the ray is to be tested against a triangle in a box where no ray is before `enter`.

@@ -31,23 +31,23 @@ void main() {
   if (i >= end) return;
   Ray ray = rays[i];
   uvec4 hit = no_hit(ray);
-  bool shadow = uint(ray.direction.w) == kind_shadow;
-  uint flags = (plain ? gl_RayFlagsOpaqueEXT : 0u) | (shadow ? gl_RayFlagsTerminateOnFirstHitEXT : 0u);
+  bool any_hit = takes_any_hit(ray);
+  uint flags = (plain ? gl_RayFlagsOpaqueEXT : 0u) | (any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : 0u);
   rayQueryEXT query;
   rayQueryInitializeEXT(query, scene, flags, 0xFFu, ray.origin.xyz, 0.0, ray.direction.xyz, ray.origin.w);
   while (rayQueryProceedEXT(query)) {
     uint triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
     uint material = floatBitsToUint(corner_a[triangle].w);
-    bool tints = shadow && (material & triangle_transmissive) != 0u;
+    bool tints = any_hit && (material & triangle_transmissive) != 0u;
     bool passes =
-        !shadow && (material & triangle_cull_back) != 0u && !rayQueryGetIntersectionFrontFaceEXT(query, false);
+        !any_hit && (material & triangle_cull_back) != 0u && !rayQueryGetIntersectionFrontFaceEXT(query, false);
     if (tints) hit.xyz = saturating_sum(hit.xyz, materials[material & triangle_material_mask].tint.xyz);
     if (!tints && !passes) rayQueryConfirmIntersectionEXT(query);
   }
   if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionTriangleEXT) {
     uint triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
     float t = rayQueryGetIntersectionTEXT(query, true);
-    hit = shadow ? uvec4(blocked, blocked, blocked, 0u) : uvec4(floatBitsToUint(t), triangle, 0u, 0u);
+    hit = any_hit ? uvec4(blocked, blocked, blocked, 0u) : uvec4(floatBitsToUint(t), triangle, 0u, 0u);
   }
   hits[i] = hit;
 }

@@ -39,7 +39,7 @@ void main() {
   uint id = first_ray + place;
   Ray ray = rays[id];
   Walk walk = Walk(0u, 0u, no_hit(ray), 0u, 0u);
-  walk_on(walk, ray, uint(ray.direction.w) == kind_shadow);
+  walk_on(walk, ray, takes_any_hit(ray));
   bool done = walk.next == none;
   if (!done) left[atomicAdd(left_count, 1u)] = place;
   hits[id] = done ? walk.hit : no_hit(ray);

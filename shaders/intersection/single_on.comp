@@ -36,7 +36,7 @@ void main() {
   Ray ray = rays[id];
   Walk walk = Walk(states[i].x, states[i].y, hits[id], 0u, 0u);
   for (uint k = 0u; k < walk.depth; ++k) stack[k] = stacks[base + k];
-  walk_on(walk, ray, uint(ray.direction.w) == kind_shadow);
+  walk_on(walk, ray, takes_any_hit(ray));
   hits[id] = walk.hit;
   states[i] = uvec2(walk.next, walk.depth);
   for (uint k = 0u; k < walk.depth; ++k) stacks[base + k] = stack[k];

@@ -29,8 +29,8 @@ struct Walk {
 uvec2 stack[max_object_depth];
 
 /// Beyond this t nothing counts.
-float limit_of(Ray ray, uvec4 hit, bool shadow) {
-  return shadow ? ray.origin.w : min(ray.origin.w, uintBitsToFloat(hit.x));
+float limit_of(Ray ray, uvec4 hit, bool any_hit) {
+  return any_hit ? ray.origin.w : min(ray.origin.w, uintBitsToFloat(hit.x));
 }
 
 /// Goes on with what was left for later, unless a hit is nearer by now.
@@ -70,10 +70,10 @@ void meet_leaf(inout Walk walk, Ray ray, Shear shear) {
 }
 
 /// Walks on until nothing is left (`next` is `none`), or for about `most_tests`.
-void walk_on(inout Walk walk, Ray ray, bool shadow) {
+void walk_on(inout Walk walk, Ray ray, bool any_hit) {
   BoxRay box_ray = box_ray(ray.origin.xyz, ray.direction.xyz);
   Shear shear = shear_of(ray.direction.xyz);
-  float limit = limit_of(ray, walk.hit, shadow);
+  float limit = limit_of(ray, walk.hit, any_hit);
   if (walk.next == none) return;
   for (;;) {
     if (is_inner(walk.next)) {
@@ -84,8 +84,8 @@ void walk_on(inout Walk walk, Ray ray, bool shadow) {
       }
     }
     meet_leaf(walk, ray, shear);
-    limit = limit_of(ray, walk.hit, shadow);
-    bool ended = shadow && all(equal(walk.hit.xyz, uvec3(blocked)));  // no triangle can change that
+    limit = limit_of(ray, walk.hit, any_hit);
+    bool ended = any_hit && all(equal(walk.hit.xyz, uvec3(blocked)));  // no triangle can change that
     walk.depth = ended ? 0u : walk.depth;
     walk.next = ended ? none : walk.next;
     pop(walk, limit);

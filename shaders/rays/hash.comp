@@ -17,12 +17,12 @@ layout(scalar, push_constant) uniform Push {
   vec3 scene_inverse_extent;  // 1 / metres, 0 where the scene is flat
   uint count;                 // rays of the segment
   uint segment;               // its number, shifted above the hash
-  uint kind;
+  uint shared_origin;         // 1: the segment's rays begin at one place
 };
 
 void main() {
   if (invocation_index() >= count) return;
   const uint ray = first + invocation_index();
   precise vec3 place = (rays[ray].origin.xyz - scene_low) * scene_inverse_extent;
-  pairs[ray] = uvec2(segment | ray_key(place, rays[ray].direction.xyz, kind), ray);
+  pairs[ray] = uvec2(segment | ray_key(place, rays[ray].direction.xyz, shared_origin == 1u), ray);
 }

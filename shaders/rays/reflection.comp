@@ -11,10 +11,10 @@ vec3 mirrored(vec3 incoming, vec3 normal, vec3 geometric) {
 
 void main() {
   uint i = invocation_index();
-  if (i >= surfaces) return;
+  if (i >= count) return;
   uint surface = first_surface + i;
   vec4 normal = normals[surface], geometric = geometrics[surface], incoming = incomings[surface];
   vec3 weight = reflection_weight(speculars[surface].rgb, cosine_of(normal.xyz, incoming.xyz), incoming.w, geometric.w);
   if (mirror == 1u) weight = vec3(1.0);
-  store(i, weight, geometric.xyz, mirrored(incoming.xyz, normal.xyz, geometric.xyz), kind_reflection);
+  store(i, weight, geometric.xyz, mirrored(incoming.xyz, normal.xyz, geometric.xyz));
 }

@@ -14,11 +14,11 @@ vec3 refracted(vec3 incoming, float eta, vec3 normal, float cosine) {
 
 void main() {
   uint i = invocation_index();
-  if (i >= surfaces) return;
+  if (i >= count) return;
   uint surface = first_surface + i;
   vec4 normal = normals[surface], incoming = incomings[surface];
   vec3 behind = -geometrics[surface].xyz;
   float cosine = cosine_of(normal.xyz, incoming.xyz);
   vec3 weight = refraction_weight(speculars[surface].rgb, cosine, incoming.w, normal.w, diffuses[surface].rgb);
-  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind), kind_refraction);
+  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind));
 }

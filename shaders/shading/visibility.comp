@@ -1,6 +1,6 @@
 #version 460
-// The visibility of lights from the surfaces of k = 0: what each shadow ray of a batch lets through, as luminance, and
-// the number of rays, added to the pixel. Lane: a surface.
+// What the surfaces of k = 0 see along the rays of one any-hit kind, lights for example: what each ray of a batch lets
+// through, as luminance, and the number of rays, added to the pixel. Lane: a surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -10,7 +10,8 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint surfaces;       // slots a segment
   uint first_surface;  // of the batch
-  uint light_count;    // the batch's first segments
+  uint first_slot;     // of the kind's first segment
+  uint segments;       // of the kind
 };
 layout(binding = 0, scalar) readonly buffer Diffuses { vec4 diffuse_pixel[]; };
 layout(binding = 1, scalar) readonly buffer Ends { uint ends[]; };
@@ -25,8 +26,8 @@ void main() {
   uint i = invocation_index();
   if (i >= surfaces) return;
   vec2 sum = vec2(0.0);
-  for (uint l = 0u; l < light_count; ++l) {
-    uint ray = ray_of(l * surfaces + i);
+  for (uint s = 0u; s < segments; ++s) {
+    uint ray = ray_of(first_slot + s * surfaces + i);
     if (ray != none) sum += vec2(luminance(let_through(hits[ray].words.xyz)), 1.0);
   }
   sums[floatBitsToUint(diffuse_pixel[first_surface + i].w)] += vec4(sum, 0.0, 0.0);

@@ -1,14 +1,9 @@
 #ifndef CRSH_SHARED_RAY_H
 #define CRSH_SHARED_RAY_H
+#include "shared/kinds.h"
 #include "shared/types.h"
 
 CRSH_SHARED_BEGIN
-
-/// Kinds of secondary rays; the kind is the highest part of a sort key (section 3.2.2).
-CRSH_CONST uint kind_shadow = 0u;
-CRSH_CONST uint kind_reflection = 1u;
-CRSH_CONST uint kind_refraction = 2u;
-CRSH_CONST uint kind_count = 3u;
 
 /// A ray; only 0 < t < tmax counts as hit. Metres.
 struct Ray {
@@ -16,9 +11,13 @@ struct Ray {
   vec4 direction;  ///< xyz: unit direction, w: kind as a float
 };
 
+#ifndef __cplusplus
+bool takes_any_hit(Ray ray) { return takes_any_hit(uint(ray.direction.w)); }
+#endif
+
 /// What the final intersection keeps for a ray.
 /// Closest hit: x = bits of t (infinity: none), y = triangle id or `none`, z = w = 0.
-/// Shadow: xyz = sum of -log2(transmittance) in 16.16 fixed point a channel, saturating at 0xFFFFFFFF (blocked); w = 0.
+/// Any hit: xyz = sum of -log2(transmittance) in 16.16 fixed point a channel, saturating at 0xFFFFFFFF (blocked); w = 0.
 struct Hit {
   uvec4 words;
 };

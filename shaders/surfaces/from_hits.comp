@@ -1,6 +1,6 @@
 #version 460
-// The points to shade at k + 1: where the reflection and refraction rays of bounce k hit (section 3.2.6 feeds the next
-// bounce). Lane: a ray, in creation order; it hands on its pixel, and its path by one bit (0 reflected, 1 refracted).
+// The points to shade at k + 1: where the rays of one closest-hit kind of bounce k hit (section 3.2.6 feeds the next
+// bounce). Lane: a ray, in creation order; it hands on its pixel, and its path with the turn that its kind is.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -14,6 +14,7 @@ layout(push_constant, scalar) uniform Push {
   uint slots;         // a segment of the batch
   uint first_parent;  // surface of the batch's slot 0
   uint first_out;
+  uint turn;  // which closest-hit kind it is
 };
 layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };
 layout(binding = 1, scalar) readonly buffer Slots { uint slot_of[]; };
@@ -31,7 +32,7 @@ void main() {
   uint parent = first_parent + slot_of[first_ray + i] % slots;
   uint triangle = hits[first_ray + i].words.y;
   uint pixel = floatBitsToUint(parent_diffuse[parent].w);
-  uint path = floatBitsToUint(parent_specular[parent].w) << 1 | uint(uint(ray.direction.w) == kind_refraction);
+  uint path = floatBitsToUint(parent_specular[parent].w) << path_bits | turn;
   if (triangle == none) {
     store_nothing(first_out + i, ray.direction.xyz, pixel, path);
     return;

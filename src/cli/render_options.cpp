@@ -75,13 +75,13 @@ std::vector<std::string> kind_names() {
   return names;
 }
 
-Option rays_row(std::array<bool, kind_count>& rays) {
+Option rays_row(PerKind<bool>& rays) {
   return {.names = "--rays",
           .value = "LIST",
           .help = "Kinds of rays to cast, with commas between; none: no rays.",
           .set =
               [&rays](const std::string& text) {
-                std::array<bool, kind_count> chosen{};
+                PerKind<bool> chosen(false);
                 if (text != "none")
                   for (const std::string& name : split(text, ',')) chosen[parse_choice(name, kind_names())] = true;
                 rays = chosen;

@@ -13,23 +13,22 @@
 #include <vector>
 
 #include "shared/account.h"
-#include "shared/ray.h"
+#include "shared/kinds.h"
 
 namespace crsh {
 
 /// A vec4 that each surface the eye sees has on the device (surfaces/surfaces.h, shading/gather.h).
 enum class SurfaceValue {
-  position,    ///< xyz: metres
-  normal,      ///< xyz: shading normal; w: transmission
-  geometric,   ///< xyz: geometric normal; w: roughness
-  incoming,    ///< xyz: direction of the ray that came; w: ratio of the indices of refraction
-  diffuse,     ///< rgb
-  specular,    ///< rgb: F0
-  emission,    ///< rgb: cd/m²
-  direct,      ///< rgb: what shadow rays let through, cd/m²
-  total,       ///< rgb: all light, cd/m²; w: 1 where something was met
-  reflection,  ///< rgb: the part of it that reflection rays brought
-  refraction   ///< rgb: the part of it that refraction rays brought
+  position,   ///< xyz: metres
+  normal,     ///< xyz: shading normal; w: transmission
+  geometric,  ///< xyz: geometric normal; w: roughness
+  incoming,   ///< xyz: direction of the ray that came; w: ratio of the indices of refraction
+  diffuse,    ///< rgb
+  specular,   ///< rgb: F0
+  emission,   ///< rgb: cd/m²
+  direct,     ///< rgb: what shadow rays let through, cd/m²
+  total,      ///< rgb: all light, cd/m²; w: 1 where something was met
+  brought     ///< rgb: the part of it that closest-hit rays of one kind brought
 };
 
 /// How a layer's pixels come about on the film (shading/film.cpp).
@@ -49,9 +48,9 @@ enum class LayerFill {
 struct LayerSource {
   LayerFill fill = LayerFill::mean;
   SurfaceValue value = SurfaceValue::total;  ///< of mean and first
-  /// mean and first: the component of the vec4 that the first channel takes; visibility: the ray kind (shared::kind_*);
-  /// tests: shared::tests_*
+  /// mean and first: the component of the vec4 that the first channel takes; tests: shared::tests_*
   uint32_t which = 0;
+  uint32_t kind = 0;  ///< visibility and what was brought: of the rays (shared::kind_*)
 };
 [[nodiscard]] constexpr LayerSource mean_of(SurfaceValue value, uint32_t first_component = 0) {
   return {LayerFill::mean, value, first_component};
@@ -60,7 +59,10 @@ struct LayerSource {
   return {LayerFill::first, value, first_component};
 }
 [[nodiscard]] constexpr LayerSource visibility_of(uint32_t ray_kind) {
-  return {LayerFill::visibility, SurfaceValue::total, ray_kind};
+  return {LayerFill::visibility, SurfaceValue::total, 0, ray_kind};
+}
+[[nodiscard]] constexpr LayerSource brought_by(uint32_t ray_kind) {
+  return {LayerFill::mean, SurfaceValue::brought, 0, ray_kind};
 }
 [[nodiscard]] constexpr LayerSource tests_of(uint32_t which) { return {LayerFill::tests, SurfaceValue::total, which}; }
 
@@ -95,8 +97,8 @@ inline constexpr auto layer_table = std::to_array<LayerRow>({
     {"beauty", "R,G,B,A", "light, premultiplied; A is coverage", mean_of(SurfaceValue::total)},
     {"Direct", "R,G,B", "light from lamps, straight", mean_of(SurfaceValue::direct)},
     {"Emission", "R,G,B", "light of the surface's own", mean_of(SurfaceValue::emission)},
-    {"Reflection", "R,G,B", "light that reflection rays brought", mean_of(SurfaceValue::reflection)},
-    {"Refraction", "R,G,B", "light that refraction rays brought", mean_of(SurfaceValue::refraction)},
+    {"Reflection", "R,G,B", "light that reflection rays brought", brought_by(shared::kind_reflection)},
+    {"Refraction", "R,G,B", "light that refraction rays brought", brought_by(shared::kind_refraction)},
     {"Background", "R,G,B", "light from where nothing is", {LayerFill::background}},
     {"Albedo", "R,G,B", "base colour", {LayerFill::base_colour}, {Paint::colour, "albedo", "Base colour"}},
     {"F0", "R,G,B", "reflectance seen straight on", mean_of(SurfaceValue::specular)},

@@ -53,11 +53,13 @@ AlgorithmOptions crsh_2017() {
 /// Our best: each kind with its best key, nodes that end where coherence does, and the tightest bound.
 AlgorithmOptions crsh_best() {
   AlgorithmOptions options;
-  options.levels = {5, 4, 4};
   options.compression = false;
   options.nodes = NodeCut::cut;
   options.bound = "slab-edges";
-  for (size_t kind = 0; kind < kind_count; ++kind) options.keys[kind] = ray_kinds[kind].best_key;
+  for (uint32_t kind = 0; kind < kind_count; ++kind) {
+    options.keys[kind] = ray_kinds[kind].best_key;
+    options.levels[kind] = ray_kinds[kind].shares_origin ? 5 : 4;
+  }
   return options;
 }
 
@@ -66,11 +68,12 @@ AlgorithmOptions crsh_bvh() {
   AlgorithmOptions options = crsh_best();
   options.object_hierarchy = true;
   options.mesh_culling = false;
-  options.levels = {2, 2, 2};
+  options.levels.fill(2);
   options.ray_order = RayOrder::tiles;
   options.cut_angle = 0.04f;
   options.cut_distance = 0.005f;
-  options.keys[shared::kind_reflection] = options.keys[shared::kind_refraction] = "origin-direction";
+  for (uint32_t kind = 0; kind < kind_count; ++kind)
+    if (!ray_kinds[kind].shares_origin) options.keys[kind] = "origin-direction";
   return options;
 }
 

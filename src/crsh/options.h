@@ -2,7 +2,6 @@
 // Every option that changes what is rendered or how, with its default: the command line, the viewer and the
 // statistics all speak of this struct.
 
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -46,7 +45,7 @@ struct AlgorithmOptions {
   std::string preset = std::string(default_preset);
   Tracing tracing = Tracing::nodes;  ///< brute: every ray against every triangle. Unless nodes: no switch matters
   bool object_hierarchy = false;     ///< there is one over the triangles (objects/)
-  std::array<std::string, kind_count> keys;  ///< a sort key a ray kind; empty: rays are not sorted
+  PerKind<std::string> keys;         ///< a sort key a ray kind; empty: rays are not sorted
   RayOrder ray_order = RayOrder::scanline;
   bool compression = true;
   NodeCut nodes = NodeCut::fixed;
@@ -55,7 +54,7 @@ struct AlgorithmOptions {
   float least_rays =
       2;  ///< where cut nodes would hold fewer, unsorted and on average, rays go one by one (object_hierarchy)
   uint32_t arity = 8;
-  std::array<uint32_t, kind_count> levels = {2, 2, 2};
+  PerKind<uint32_t> levels{2};
   std::string bound = "sphere-cone";
   Fit fit = Fit::all;
   bool interval = true;
@@ -92,7 +91,7 @@ struct RenderOptions {
   ViewOption view;
   std::vector<std::string> hidden;  ///< instances that are left out, by index or name (scene/hide.h)
   std::vector<LightOption> lights;  ///< not empty: they replace the file's
-  std::array<bool, kind_count> rays = {true, true, true};
+  PerKind<bool> rays{[](uint32_t kind) { return ray_kinds[kind].adds_light; }};
   bool override_mirror = false;
   LayerSet layers = default_layers;  ///< of the picture, besides the beauty
   AlgorithmOptions algorithm = preset(default_preset);

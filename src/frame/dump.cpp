@@ -6,6 +6,7 @@
 #include "crsh/ray_table.h"
 #include "frame/trace.h"
 #include "rays/hash.h"
+#include "shared/ray.h"
 
 namespace crsh {
 namespace {
@@ -50,10 +51,10 @@ void set_ray(RayTable& table, size_t row, const shared::Ray& ray) {
 }
 
 void set_hit(RayTable& table, size_t row, const glm::uvec4& words) {
-  const bool shadow = table.kind[row] == shared::kind_shadow;
-  table.hit[row] = shadow ? shared::none : words.y;
-  table.t[row] = shadow ? std::numeric_limits<float>::infinity() : std::bit_cast<float>(words.x);
-  table.transmittance[row] = shadow ? glm::uvec3(words) : glm::uvec3(0);
+  const bool any_hit = ray_kinds[table.kind[row]].any_hit;
+  table.hit[row] = any_hit ? shared::none : words.y;
+  table.t[row] = any_hit ? std::numeric_limits<float>::infinity() : std::bit_cast<float>(words.x);
+  table.transmittance[row] = any_hit ? glm::uvec3(words) : glm::uvec3(0);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
     batch.segments.push_back({.kind = wanted.kind, .light = wanted.light});
   batch.surfaces = plan.surfaces;
   s.recorder.stage(Stage::ray_creation);
-  rays::create(s.recorder, {surfaces, s.gpu_scene, plan, s.options.override_mirror}, s.batch.sparse, generation);
+  rays::create(s.recorder, {surfaces, s.gpu_scene, plan, s.options.override_mirror, s.film.samples - 1, s.options.seed},
+               s.batch.sparse, generation);
   coherence::trim(s.recorder, s.batch.trim, s.batch.sparse.rays, s.batch.sparse.flags, batch);
   if (batch.count) trace(s, bounce, {surfaces.diffuse, surfaces.specular, plan.first_surface});
   return batch;
@@ -32,25 +33,26 @@ surfaces::Children children_of(rays::Batch& batch, const rays::BatchPlan& plan, 
   surfaces::Children children;
   children.first_surface = plan.first_surface;
   children.surfaces = plan.surfaces;
-  children.first_child = first_child;
-  children.first_ray = shared::none;
+  children.end = first_child;
   for (uint32_t s = 0; s < batch.segments.size(); ++s) {
     const rays::Segment& segment = batch.segments[s];
-    if (segment.kind == shared::kind_shadow) continue;
-    children.first_slot[segment.kind] = s * plan.surfaces;
-    children.first_ray = std::min(children.first_ray, segment.first);
+    if (ray_kinds[segment.kind].any_hit) continue;
+    children.of_kind[segment.kind] = {s * plan.surfaces, segment.first, segment.count, children.end};
+    children.end += segment.count;
   }
   children.ends = std::move(batch.ends);
   return children;
 }
 
-bool casts_closest(const rays::BatchPlan& plan) { return plan.segments.back().kind != shared::kind_shadow; }
+bool is_closest(const rays::Wanted& wanted) { return !ray_kinds[wanted.kind].any_hit; }
+
+bool casts_closest(const rays::BatchPlan& plan) { return std::ranges::any_of(plan.segments, is_closest); }
 
 /// Most surfaces that the plans can add to the next generation; asserted against what a binding holds.
 uint32_t most_children(Renderer::State& s, const std::vector<rays::BatchPlan>& plans) {
   uint64_t slots = 0;
   for (const rays::BatchPlan& plan : plans)
-    for (const rays::Wanted& wanted : plan.segments) slots += wanted.kind == shared::kind_shadow ? 0 : plan.surfaces;
+    slots += uint64_t(plan.surfaces) * std::ranges::count_if(plan.segments, is_closest);
   if (slots * sizeof(glm::vec4) > s.device.limits().max_binding) throw PortionTooLarge{};
   return static_cast<uint32_t>(slots);
 }
@@ -60,6 +62,13 @@ void drop_children(Renderer::State& s, surfaces::Generation& generation) {
   if (generation.children.empty()) return;
   s.recorder.submit();
   generation.children.clear();
+}
+
+/// What rays of any-hit kinds saw, for the layers that show it.
+void add_visibilities(Renderer::State& s, const shading::DirectIn& direct) {
+  for (const LayerId layer : s.film.layers.members())
+    if (const LayerSource& source = row_of(layer).source; source.fill == LayerFill::visibility)
+      shading::add_visibility(s.recorder, direct, source.kind, s.film.of(layer));
 }
 
 /// Steps 3 to 7 of one bounce: traces all rays of generation k, shades, and yields generation k + 1.
@@ -80,18 +89,20 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
     s.recorder.stage(Stage::shading);
     const shading::DirectIn direct{surfaces, s.gpu_scene, plan, batch.ends, s.batch.hits};
     if (batch.count) shading::add_direct(s.recorder, direct, generation);
-    if (batch.count && bounce == 0 && s.film.layers.has(LayerId::shadow))
-      shading::add_visibility(s.recorder, direct, s.film.of(LayerId::shadow));
+    if (batch.count && bounce == 0) add_visibilities(s, direct);
     if (!casts_closest(plan)) continue;
     surfaces::Children children = children_of(s.batch.rays, plan, next.count);
-    const uint32_t count = batch.count - std::min(batch.count, children.first_ray);
+    const uint32_t count = children.end - next.count;
     if (next.count == 0)
       surfaces::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
-    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, count, surfaces},
-                        next, s.paths.generations[bounce + 1]);
+    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, surfaces}, next,
+                        s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }
 }
+
+/// Whether the layer shows what rays of one kind brought.
+bool shows_one_kind(LayerId layer) { return row_of(layer).source.value == SurfaceValue::brought; }
 
 /// Step 7: radiance back along the paths, last generation first.
 void gather_generations(Renderer::State& s, uint32_t generations) {
@@ -100,7 +111,7 @@ void gather_generations(Renderer::State& s, uint32_t generations) {
     surfaces::Generation& generation = s.paths.generations[k];
     if (k + 1 == generations) drop_children(s, generation);
     for (surfaces::Children& children : generation.children) children.totals = &s.paths.gathered[k + 1].total;
-    const bool parts = k == 0 && s.film.layers.has_any({LayerId::reflection, LayerId::refraction});
+    const bool parts = k == 0 && std::ranges::any_of(s.film.layers.members(), shows_one_kind);
     shading::gather(s.recorder, generation, s.options.background.value_or(glm::vec3(0)), s.paths.gathered[k],
                     parts ? shading::Parts::wanted : shading::Parts::unwanted);
   }

@@ -8,6 +8,7 @@
 #include "frame/trace.h"
 #include "primitives/grow.h"
 #include "rays/hash.h"
+#include "shared/ray.h"
 
 namespace crsh {
 namespace {

@@ -18,15 +18,18 @@ uint32_t tiled_place(uint32_t pixel, uint32_t width, uint32_t height) {
 }
 
 /// Surfaces of a bounce come by the last turn of their path, then by the one before, and at last by pixel.
-uint32_t reversed(uint32_t bits) {
-  uint32_t result = 0;
-  for (uint32_t i = 0; i < 32; ++i) result |= (bits >> i & 1) << (31 - i);
+uint64_t reversed(uint64_t path) {
+  constexpr uint64_t turn = (1u << shared::path_bits) - 1;
+  uint64_t result = 0;
+  for (uint32_t read = 0; read < 32; read += shared::path_bits, path >>= shared::path_bits)
+    result = result << shared::path_bits | (path & turn);
   return result;
 }
 
 /// What rays are ordered by.
 struct Place {
-  uint32_t batch = 0, bounce = 0, kind = 0, light = 0, turns = 0, pixel = 0, row = 0;
+  uint32_t batch = 0, bounce = 0, kind = 0, light = 0, pixel = 0, row = 0;
+  uint64_t turns = 0;
   [[nodiscard]] auto batch_key() const { return std::tuple(batch, bounce); }
   [[nodiscard]] auto segment_key() const { return std::tuple(kind, light); }
   [[nodiscard]] bool operator<(const Place& other) const {
@@ -38,7 +41,7 @@ struct Place {
 std::vector<Place> sorted_places(const RayTable& table, RayOrder order) {
   std::vector<Place> places(table.size());
   for (uint32_t row = 0; row < table.size(); ++row) {
-    places[row] = {table.batch[row], table.bounce[row], table.kind[row], table.light[row], 0, 0, row};
+    places[row] = {table.batch[row], table.bounce[row], table.kind[row], table.light[row], 0, row, 0};
     if (!table.width) continue;
     const uint32_t pixel = table.pixel[row];
     places[row].turns = reversed(table.path[row]);

@@ -8,6 +8,7 @@
 #include "frame/look_inside.h"
 #include "hierarchy/sample.h"
 #include "primitives/grow.h"
+#include "shared/ray.h"
 
 namespace crsh {
 namespace {

@@ -26,7 +26,7 @@ Sample sample_of(uint32_t rays) {
   return {stride, lanes, (lanes - 1) * shared::cut_run + std::min(shared::cut_run, rays - last)};
 }
 
-bool is_sampled(const rays::Segment& segment) { return segment.kind != shared::kind_shadow && segment.count > 0; }
+bool is_sampled(const rays::Segment& segment) { return !segment.shares_origin && segment.count > 0; }
 
 }  // namespace
 

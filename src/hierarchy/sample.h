@@ -16,7 +16,7 @@ struct SampleIn {
 };
 
 /// Rays that a cut node of level 1 would hold on average, by segment, if rays were bundled unsorted; infinite for
-/// segments of shadow rays, which share their origin, or of no rays. `sums` is kept between calls. Submits, and waits.
+/// segments whose rays share their origin, or of no rays. `sums` is kept between calls. Submits, and waits.
 [[nodiscard]] std::vector<float> rays_a_node(gpu::Recorder& recorder, const SampleIn& in, gpu::Buffer& sums);
 
 }  // namespace crsh::hierarchy

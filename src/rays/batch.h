@@ -4,17 +4,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "crsh/kinds.h"
 #include "gpu/buffer.h"
 
 namespace crsh::rays {
 
-/// A run of rays of one kind (and, for shadow rays, one light). Nodes never cross its ends, so that counters do not
+/// A run of rays of one kind (and one light, where there is one a light). Nodes never cross its ends, so that counters do not
 /// depend on what else is in the batch.
 struct Segment {
   uint32_t kind = 0;              ///< shared::kind_*
-  uint32_t light = 0;             ///< shadow rays: index of the light
+  uint32_t light = 0;             ///< where there is one a light: its index
   uint32_t first = 0, count = 0;  ///< rays, in creation order after trimming; sorting keeps the segment's place
   bool alone = false;             ///< too scattered for nodes: they go one by one through the object hierarchy
+  bool shares_origin = ray_kinds[kind].shares_origin;  ///< all begin at one place
 };
 
 /// Slots: one a surface a segment, segment-major: slot = segment * surfaces + surface.

@@ -8,20 +8,16 @@
 namespace crsh::rays {
 namespace {
 
-/// As rays/shadow.comp declares it.
-struct ShadowPush {
-  uint32_t surfaces, first_surface, first_slot, count, first_light;
-};
-
-/// As rays/closest.glsl declares it.
-struct ClosestPush {
-  uint32_t surfaces, first_surface, first_slot, mirror;
+/// As rays/create.glsl declares it.
+struct Push {
+  uint32_t surfaces, first_surface, first_slot, count, kind, first_light, mirror, sample, seed;
+  float scene_edge;
 };
 
 std::vector<Wanted> wanted_segments(const PlanIn& in) {
   std::vector<Wanted> all;
   for (uint32_t kind = 0; kind < kind_count; ++kind) {
-    const uint32_t number = kind == shared::kind_shadow ? in.lights : 1;
+    const uint32_t number = ray_kinds[kind].one_a_light ? in.lights : 1;
     for (uint32_t i = 0; in.kinds[kind] && i < number; ++i) all.push_back({kind, i});
   }
   return all;
@@ -39,32 +35,49 @@ std::vector<std::vector<Wanted>> grouped(const std::vector<Wanted>& all, uint32_
   return groups;
 }
 
-void create_shadow(gpu::Recorder& recorder, const CreateIn& in, uint32_t first, uint32_t lights, const Sparse& out) {
-  const ShadowPush push{in.plan.surfaces, in.plan.first_surface, first * in.plan.surfaces, lights * in.plan.surfaces,
-                        in.plan.segments[first].light};
-  recorder.dispatch(std::string(ray_kinds[shared::kind_shadow].creation), push.count, push,
-                    {{"positions", in.surfaces.position},
-                     {"geometrics", in.surfaces.geometric},
-                     {"lights", in.scene.lights},
-                     {"triangle_spheres", in.scene.triangle_spheres},
-                     {"rays", out.rays},
-                     {"flags", out.flags}});
+Push push_of(const CreateIn& in, const KindRun& run) {
+  const BatchPlan& plan = in.plan;
+  return {.surfaces = plan.surfaces,
+          .first_surface = plan.first_surface,
+          .first_slot = run.first * plan.surfaces,
+          .count = run.segments * plan.surfaces,
+          .kind = run.kind,
+          .first_light = plan.segments[run.first].light,
+          .mirror = in.override_mirror && ray_kinds[run.kind].mirrors_everything ? 1u : 0u,
+          .sample = in.sample,
+          .seed = in.seed,
+          .scene_edge = in.scene.bounds.longest_edge()};
 }
 
-void create_closest(gpu::Recorder& recorder, const CreateIn& in, uint32_t segment, const Sparse& out,
-                    gpu::Buffer& weights) {
-  const uint32_t kind = in.plan.segments[segment].kind;
+void create_any_hit(gpu::Recorder& recorder, const CreateIn& in, const KindRun& run, const Sparse& out) {
   const surfaces::Surfaces& s = in.surfaces;
-  primitives::grow(recorder, weights, s.count * uint64_t(sizeof(glm::vec4)), "ray weights");
-  const bool mirror = kind == shared::kind_reflection && in.override_mirror;
-  const ClosestPush push{in.plan.surfaces, in.plan.first_surface, segment * in.plan.surfaces, mirror ? 1u : 0u};
-  recorder.dispatch(std::string(ray_kinds[kind].creation), push.surfaces, push,
+  const Push push = push_of(in, run);
+  recorder.dispatch(std::string(ray_kinds[run.kind].creation), push.count, push,
                     {{"positions", s.position},
                      {"normals", s.normal},
                      {"geometrics", s.geometric},
                      {"incomings", s.incoming},
                      {"diffuses", s.diffuse},
                      {"speculars", s.specular},
+                     {"lights", in.scene.lights},
+                     {"triangle_spheres", in.scene.triangle_spheres},
+                     {"rays", out.rays},
+                     {"flags", out.flags}});
+}
+
+void create_closest(gpu::Recorder& recorder, const CreateIn& in, const KindRun& run, const Sparse& out,
+                    gpu::Buffer& weights) {
+  const surfaces::Surfaces& s = in.surfaces;
+  const Push push = push_of(in, run);
+  primitives::grow(recorder, weights, s.count * uint64_t(sizeof(glm::vec4)), "ray weights");
+  recorder.dispatch(std::string(ray_kinds[run.kind].creation), push.count, push,
+                    {{"positions", s.position},
+                     {"normals", s.normal},
+                     {"geometrics", s.geometric},
+                     {"incomings", s.incoming},
+                     {"diffuses", s.diffuse},
+                     {"speculars", s.specular},
+                     {"lights", in.scene.lights},
                      {"triangle_spheres", in.scene.triangle_spheres},
                      {"rays", out.rays},
                      {"flags", out.flags},
@@ -85,25 +98,29 @@ std::vector<BatchPlan> plan_batches(const PlanIn& in) {
   return plans;
 }
 
-std::array<bool, kind_count> kinds_at(const RenderOptions& options, uint32_t bounce) {
-  std::array<bool, kind_count> kinds{};
-  for (size_t kind = 0; kind < kind_count; ++kind)
-    kinds[kind] = options.rays[kind] && (bounce < options.bounces || ray_kinds[kind].at_last_bounce);
-  return kinds;
+std::vector<KindRun> runs_of(const BatchPlan& plan) {
+  std::vector<KindRun> runs;
+  for (uint32_t segment = 0; segment < plan.segments.size(); ++segment) {
+    const uint32_t kind = plan.segments[segment].kind;
+    if (runs.empty() || runs.back().kind != kind) runs.push_back({kind, segment, 0});
+    ++runs.back().segments;
+  }
+  return runs;
+}
+
+PerKind<bool> kinds_at(const RenderOptions& options, uint32_t bounce) {
+  return PerKind<bool>(
+      [&](uint32_t kind) { return options.rays[kind] && ray_kinds[kind].cast_at(bounce, options.bounces); });
 }
 
 void create(gpu::Recorder& recorder, const CreateIn& in, Sparse& out, surfaces::Generation& generation) {
-  const BatchPlan& plan = in.plan;
-  out.slots = plan.slots();
+  out.slots = in.plan.slots();
   primitives::grow(recorder, out.rays, out.slots * uint64_t(sizeof(shared::Ray)), "sparse rays");
   primitives::grow(recorder, out.flags, primitives::quad_bytes(out.slots), "head flags");
-  uint32_t lights = 0;
-  while (lights < plan.segments.size() && plan.segments[lights].kind == shared::kind_shadow) ++lights;
-  if (lights) create_shadow(recorder, in, 0, lights, out);
-  for (uint32_t segment = lights; segment < plan.segments.size(); ++segment)
-    create_closest(recorder, in, segment, out,
-                   plan.segments[segment].kind == shared::kind_reflection ? generation.reflection_weight
-                                                                          : generation.refraction_weight);
+  for (const KindRun& run : runs_of(in.plan)) {
+    if (ray_kinds[run.kind].any_hit) create_any_hit(recorder, in, run, out);
+    else create_closest(recorder, in, run, out, generation.weights[run.kind]);
+  }
 }
 
 }  // namespace crsh::rays

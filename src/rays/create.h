@@ -1,7 +1,6 @@
 #pragma once
 // Section 3.2.2: secondary rays, one creation shader a kind, before they are trimmed.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,30 +19,37 @@ inline constexpr uint32_t most_segments = 64;
 /// Rays that are wanted of every surface.
 struct Wanted {
   uint32_t kind = 0;   ///< shared::kind_*
-  uint32_t light = 0;  ///< of shadow rays
+  uint32_t light = 0;  ///< where there is one a light
 };
 
 /// Rays that one batch wants: a slot a surface of [first_surface, first_surface + surfaces) for every segment.
 struct BatchPlan {
-  std::vector<Wanted> segments;  ///< shadow by rising light, then reflection, then refraction
+  std::vector<Wanted> segments;  ///< by rising kind, then light
   uint32_t first_surface = 0, surfaces = 0;
   [[nodiscard]] uint32_t slots() const { return uint32_t(segments.size()) * surfaces; }
 };
 
+/// Segments of one kind that follow each other in a plan.
+struct KindRun {
+  uint32_t kind = 0;
+  uint32_t first = 0, segments = 0;
+};
+[[nodiscard]] std::vector<KindRun> runs_of(const BatchPlan& plan);
+
 struct PlanIn {
   uint32_t surfaces = 0, lights = 0;
-  std::array<bool, kind_count> kinds = {true, true, true};  ///< those that are cast at this bounce
-  bool mixed = true;                                        ///< kinds share batches
+  PerKind<bool> kinds{true};  ///< those that are cast at this bounce
+  bool mixed = true;          ///< kinds share batches
   uint32_t most_slots = shared::max_batch_rays;
 };
 
 /// The batches of one generation, none above most_segments or most_slots. Surfaces are split only where one segment
-/// alone is too large, at the same places for all batches; so no two batches cast one surface's rays of one kind
-/// (shadow: and light).
+/// alone is too large, at the same places for all batches; so no two batches cast one surface's rays of one kind and
+/// light.
 [[nodiscard]] std::vector<BatchPlan> plan_batches(const PlanIn& in);
 
 /// Which kinds are cast from the surfaces of bounce `k`.
-[[nodiscard]] std::array<bool, kind_count> kinds_at(const RenderOptions& options, uint32_t bounce);
+[[nodiscard]] PerKind<bool> kinds_at(const RenderOptions& options, uint32_t bounce);
 
 /// Rays in their slots, as they are created: slot = segment * surfaces + (surface - first_surface).
 struct Sparse {
@@ -57,9 +63,11 @@ struct CreateIn {
   const scene::GpuScene& scene;
   const BatchPlan& plan;
   bool override_mirror = false;
+  uint32_t sample = 0;  ///< of the frame, from 0
+  uint32_t seed = 0;    ///< of what is cast by chance
 };
 
-/// Creates the batch's rays; the weights of reflection and refraction rays go to `generation`.
+/// Creates the batch's rays; the weights of closest-hit rays go to `generation`.
 void create(gpu::Recorder& recorder, const CreateIn& in, Sparse& out, surfaces::Generation& generation);
 
 }  // namespace crsh::rays

@@ -18,7 +18,7 @@ struct Push {
   glm::vec3 scene_low;
   uint32_t first;
   glm::vec3 scene_inverse_extent;
-  uint32_t count, segment, kind;
+  uint32_t count, segment, shared_origin;
 };
 
 /// As given_keys.comp declares it.
@@ -30,15 +30,15 @@ std::string kernel_of(std::string_view key) {
   return std::string(prefix) + std::string(key.empty() ? "creation" : key);
 }
 
-uint32_t bits_of(const Batch& batch, const std::string& key, uint32_t kind) {
-  return key == key_of_file ? batch.given_bits : hash_bits(key, kind);
+uint32_t bits_of(const Batch& batch, const std::string& key, const Segment& segment) {
+  return key == key_of_file ? batch.given_bits : hash_bits(key, segment);
 }
 
 /// The widest hash of the batch's rays.
 uint32_t widest_hash(const Batch& batch, const Keys& keys) {
   uint32_t bits = 0;
   for (const Segment& segment : batch.segments)
-    if (segment.count > 0) bits = std::max(bits, bits_of(batch, keys[segment.kind], segment.kind));
+    if (segment.count > 0) bits = std::max(bits, bits_of(batch, keys[segment.kind], segment));
   return bits;
 }
 
@@ -71,13 +71,13 @@ std::vector<std::string> key_names() {
   return names;
 }
 
-uint32_t hash_bits(std::string_view key, uint32_t kind) {
+uint32_t hash_bits(std::string_view key, const Segment& segment) {
   const std::string file = kernel_of(key) + std::string(suffix);
   static std::map<std::string, std::array<uint32_t, 2>> known;
   const auto [entry, added] = known.try_emplace(file);
   if (added)
     for (uint32_t id : {0u, 1u}) entry->second[id] = gpu::declared_constant(file, id);
-  return entry->second[kind == shared::kind_shadow ? 0 : 1];
+  return entry->second[segment.shares_origin ? 0 : 1];
 }
 
 bool any_sorted(const Batch& batch, const Keys& keys) { return widest_hash(batch, keys) > 0; }
@@ -92,7 +92,8 @@ uint32_t hash(gpu::Recorder& recorder, const Batch& batch, const Keys& keys, con
   Push push = push_of(bounds);
   for (uint32_t i = 0; i < batch.segments.size(); ++i) {
     const Segment& segment = batch.segments[i];
-    push.first = segment.first, push.count = segment.count, push.kind = segment.kind;
+    push.first = segment.first, push.count = segment.count;
+    push.shared_origin = segment.shares_origin ? 1 : 0;
     push.segment = bits < 32 ? i << bits : 0;
     if (keys[segment.kind] == key_of_file) {
       recorder.dispatch("rays/given_keys", segment.count, GivenPush{push.first, push.count, push.segment},

@@ -1,7 +1,6 @@
 #pragma once
 // The hash of every ray of a batch, and its key-value pair.
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,16 +15,16 @@ namespace crsh::rays {
 
 /// A sort key a ray kind: names of files below shaders/rays/keys/. Empty, or "creation": creation order. key_of_file:
 /// the batch's given keys.
-using Keys = std::array<std::string, kind_count>;
+using Keys = PerKind<std::string>;
 
 inline constexpr std::string_view key_of_file = "file";
 
 /// Names of all sort keys that the build found, sorted.
 [[nodiscard]] std::vector<std::string> key_names();
 
-/// Bits of the hash that this key gives to rays of this kind (0: creation order), as its shader declares. The key must
+/// Bits of the hash that this key gives to the segment's rays (0: creation order), as its shader declares. The key must
 /// exist.
-[[nodiscard]] uint32_t hash_bits(std::string_view key, uint32_t kind);
+[[nodiscard]] uint32_t hash_bits(std::string_view key, const Segment& segment);
 
 /// Whether any ray of the batch has a key to be sorted by.
 [[nodiscard]] bool any_sorted(const Batch& batch, const Keys& keys);

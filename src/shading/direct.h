@@ -16,10 +16,10 @@ struct DirectIn {
   const gpu::Buffer& hits;  ///< shared::Hit a ray, in creation order
 };
 
-/// Adds what the batch's shadow rays let through to `generation.direct`, light by light.
+/// Adds what the batch's rays to lights let through to `generation.direct`, light by light.
 void add_direct(gpu::Recorder& recorder, const DirectIn& in, surfaces::Generation& generation);
 
-/// Adds visibility and number of the batch's shadow rays to their pixels: vec4, x and y.
-void add_visibility(gpu::Recorder& recorder, const DirectIn& in, const gpu::Buffer& pixels);
+/// Adds visibility and number of the batch's rays of one any-hit kind to their pixels: vec4, x and y.
+void add_visibility(gpu::Recorder& recorder, const DirectIn& in, uint32_t kind, const gpu::Buffer& pixels);
 
 }  // namespace crsh::shading

@@ -9,8 +9,8 @@
 namespace crsh::shading {
 namespace {
 
-const gpu::Buffer& buffer_of(SurfaceValue value, const SampleIn& in) {
-  switch (value) {
+const gpu::Buffer& buffer_of(const LayerSource& source, const SampleIn& in) {
+  switch (source.value) {
     case SurfaceValue::position: return in.surfaces.position;
     case SurfaceValue::normal: return in.surfaces.normal;
     case SurfaceValue::geometric: return in.surfaces.geometric;
@@ -20,8 +20,7 @@ const gpu::Buffer& buffer_of(SurfaceValue value, const SampleIn& in) {
     case SurfaceValue::emission: return in.generation.emission;
     case SurfaceValue::direct: return in.generation.direct;
     case SurfaceValue::total: return in.gathered.total;
-    case SurfaceValue::reflection: return in.gathered.reflection;
-    case SurfaceValue::refraction: return in.gathered.refraction;
+    case SurfaceValue::brought: return in.gathered.brought[source.kind];
   }
   CRSH_ASSERT(false, "no such value of a surface");
 }
@@ -30,9 +29,8 @@ const gpu::Buffer& buffer_of(SurfaceValue value, const SampleIn& in) {
 using Add = void (*)(gpu::Recorder& recorder, const SampleIn& in, const LayerSource& source, const gpu::Buffer& pixels);
 
 void add_value(gpu::Recorder& recorder, const SampleIn& in, const LayerSource& source, const gpu::Buffer& pixels) {
-  recorder.dispatch(
-      "shading/film_sum", in.surfaces.count, in.surfaces.count,
-      {{"diffuse_pixel", in.surfaces.diffuse}, {"values", buffer_of(source.value, in)}, {"sums", pixels}});
+  recorder.dispatch("shading/film_sum", in.surfaces.count, in.surfaces.count,
+                    {{"diffuse_pixel", in.surfaces.diffuse}, {"values", buffer_of(source, in)}, {"sums", pixels}});
 }
 
 void add_base_colour(gpu::Recorder& recorder, const SampleIn& in, const LayerSource&, const gpu::Buffer& pixels) {

@@ -1,90 +1,56 @@
 #include "shading/gather.h"
 
+#include "crsh/kinds.h"
 #include "primitives/grow.h"
-#include "shared/ray.h"
 
 namespace crsh::shading {
 namespace {
 
-/// As shading/gather.comp declares them.
-struct Link {
-  uint32_t first_slot = 0, first_ray = 0, any = 0;
-};
-struct Push {
-  uint32_t first_surface, count;
-  Link reflection, refraction;
+/// As shading/gather_own.comp declares it.
+struct OwnPush {
   glm::vec3 background;
+  uint32_t count;
 };
 
-/// The surfaces [first, first + count) and where their children of each kind are.
-struct Portion {
-  uint32_t first = 0, count = 0;
-  const surfaces::Children* reflection = nullptr;
-  const surfaces::Children* refraction = nullptr;
+/// As shading/gather.comp declares it.
+struct Push {
+  uint32_t first_surface, count, first_slot, first_ray;
 };
 
-/// Batches split surfaces at the same places, so children of different batches cover the same surfaces, or none in
-/// common.
-std::vector<Portion> portions_of(const surfaces::Generation& generation) {
-  std::vector<Portion> portions;
-  for (const surfaces::Children& children : generation.children) {
-    if (portions.empty() || portions.back().first != children.first_surface)
-      portions.push_back({children.first_surface, children.surfaces});
-    if (children.first_slot[shared::kind_reflection] != shared::none) portions.back().reflection = &children;
-    if (children.first_slot[shared::kind_refraction] != shared::none) portions.back().refraction = &children;
+/// Room for what each kind brought, and nothing in it.
+void clear_brought(gpu::Recorder& recorder, uint32_t count, Gathered& out) {
+  for (uint32_t kind = 0; kind < kind_count; ++kind) {
+    if (ray_kinds[kind].any_hit) continue;
+    primitives::grow(recorder, out.brought[kind], count * uint64_t(sizeof(glm::vec4)), "light by kind of ray");
+    recorder.fill(out.brought[kind], 0, count * uint64_t(4));
   }
-  if (portions.empty()) portions.push_back({0, generation.count});
-  return portions;
 }
 
-Link link_of(const surfaces::Children* children, uint32_t kind) {
-  if (!children || !children->totals) return {};
-  return {children->first_slot[kind], children->first_ray - children->first_child, 1};
-}
-
-/// Something that can be bound stands in where there is nothing to read.
-const gpu::Buffer& or_else(const gpu::Buffer& buffer, const gpu::Buffer& stand_in) {
-  return buffer.bytes() ? buffer : stand_in;
-}
-
-void gather_portion(gpu::Recorder& recorder, const surfaces::Generation& g, const Portion& portion,
-                    glm::vec3 background, const Gathered& out, Parts parts) {
-  const Link reflection = link_of(portion.reflection, shared::kind_reflection);
-  const Link refraction = link_of(portion.refraction, shared::kind_refraction);
-  const gpu::Buffer& nothing = g.emission;
-  const auto ends = [&](const Link& link, const surfaces::Children* c) -> const gpu::Buffer& {
-    return link.any ? c->ends : nothing;
-  };
-  const auto totals = [&](const Link& link, const surfaces::Children* c) -> const gpu::Buffer& {
-    return link.any ? or_else(*c->totals, nothing) : nothing;
-  };
-  recorder.dispatch({"shading/gather", {{0, parts == Parts::wanted}}}, portion.count,
-                    Push{portion.first, portion.count, reflection, refraction, background},
-                    {{"emissions", g.emission},
-                     {"direct", g.direct},
-                     {"reflection_weights", or_else(g.reflection_weight, nothing)},
-                     {"refraction_weights", or_else(g.refraction_weight, nothing)},
-                     {"reflection_ends", ends(reflection, portion.reflection)},
-                     {"refraction_ends", ends(refraction, portion.refraction)},
-                     {"reflection_totals", totals(reflection, portion.reflection)},
-                     {"refraction_totals", totals(refraction, portion.refraction)},
+/// Adds what the batch's rays of one kind brought.
+void add_kind(gpu::Recorder& recorder, const surfaces::Generation& generation, const surfaces::Children& children,
+              uint32_t kind, const Gathered& out, Parts parts) {
+  const surfaces::ChildRun& run = children.of_kind[kind];
+  if (run.first_slot == shared::none || !children.totals || children.totals->bytes() == 0) return;
+  const bool wanted = parts == Parts::wanted;
+  const Push push{children.first_surface, children.surfaces, run.first_slot, run.first_ray - run.first_child};
+  recorder.dispatch({"shading/gather", {{0, wanted}}}, push.count, push,
+                    {{"weights", generation.weights[kind]},
+                     {"ends", children.ends},
+                     {"child_totals", *children.totals},
                      {"totals", out.total},
-                     {"reflected", or_else(out.reflection, out.total)},
-                     {"refracted", or_else(out.refraction, out.total)}});
+                     {"brought", wanted ? out.brought[kind] : out.total}});
 }
 
 }  // namespace
 
 void gather(gpu::Recorder& recorder, const surfaces::Generation& generation, glm::vec3 background, Gathered& out,
             Parts parts) {
-  const uint64_t bytes = generation.count * uint64_t(sizeof(glm::vec4));
-  primitives::grow(recorder, out.total, bytes, "gathered light");
-  if (parts == Parts::wanted) {
-    primitives::grow(recorder, out.reflection, bytes, "reflected light");
-    primitives::grow(recorder, out.refraction, bytes, "refracted light");
-  }
-  for (const Portion& portion : portions_of(generation))
-    gather_portion(recorder, generation, portion, background, out, parts);
+  primitives::grow(recorder, out.total, generation.count * uint64_t(sizeof(glm::vec4)), "gathered light");
+  if (parts == Parts::wanted) clear_brought(recorder, generation.count, out);
+  recorder.dispatch("shading/gather_own", generation.count, OwnPush{background, generation.count},
+                    {{"emissions", generation.emission}, {"direct", generation.direct}, {"totals", out.total}});
+  for (const surfaces::Children& children : generation.children)
+    for (uint32_t kind = 0; kind < kind_count; ++kind) add_kind(recorder, generation, children, kind, out, parts);
 }
 
 }  // namespace crsh::shading

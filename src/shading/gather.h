@@ -10,16 +10,16 @@ namespace crsh::shading {
 
 /// vec4 a surface each.
 struct Gathered {
-  gpu::Buffer total;       ///< rgb: what goes back along the ray that came; w: 1 where something was met, else 0
-  gpu::Buffer reflection;  ///< rgb: the part of it that reflection rays brought; only where parts are wanted
-  gpu::Buffer refraction;
+  gpu::Buffer total;  ///< rgb: what goes back along the ray that came; w: 1 where something was met, else 0
+  PerKind<gpu::Buffer>
+      brought;  ///< rgb: the part of it that the kind's rays brought; of closest-hit kinds, where wanted
 };
 
-/// Whether what reflection and refraction brought is kept apart besides.
+/// Whether what each kind of rays brought is kept apart besides.
 enum class Parts { unwanted, wanted };
 
-/// total = emission + direct + reflection weight × child's total + refraction weight × child's total, or `background`
-/// where nothing was met. Every Children of the generation needs its `totals`; generations after the last have none.
+/// total = emission + direct + weight × child's total for each closest-hit kind, by rising number; or `background` where
+/// nothing was met. Every Children of the generation needs its `totals`; generations after the last have none.
 void gather(gpu::Recorder& recorder, const surfaces::Generation& generation, glm::vec3 background, Gathered& out,
             Parts parts = Parts::unwanted);
 

@@ -18,13 +18,37 @@ struct RasterPush {
 
 /// As surfaces/from_hits.comp declares it.
 struct HitsPush {
-  uint32_t first_ray, count, slots, first_parent, first_out;
+  uint32_t first_ray, count, slots, first_parent, first_out, turn;
 };
 
 constexpr uint64_t word_bytes = sizeof(glm::vec4);
 
-void clear_direct(gpu::Recorder& recorder, Generation& generation, uint32_t first, uint32_t count) {
+void clear_direct(gpu::Recorder& recorder, const Generation& generation, uint32_t first, uint32_t count) {
   recorder.fill(generation.direct, 0, uint64_t(count) * 4, uint64_t(first) * 4);
+}
+
+/// Where the rays of one kind hit.
+void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, const Surfaces& surfaces,
+              const Generation& generation) {
+  const Children& children = in.children;
+  const ChildRun& run = children.of_kind[kind];
+  clear_direct(recorder, generation, run.first_child, run.count);
+  const HitsPush push{run.first_ray,          run.count,       children.surfaces,
+                      children.first_surface, run.first_child, ray_kinds[kind].turn};
+  recorder.dispatch("surfaces/from_hits", push.count, push,
+                    {in.scene.tables,
+                     {"rays", in.rays},
+                     {"slot_of", in.slots},
+                     {"hits", in.hits},
+                     {"parent_diffuse", in.parents.diffuse},
+                     {"parent_specular", in.parents.specular},
+                     {"out_position", surfaces.position},
+                     {"out_normal", surfaces.normal},
+                     {"out_geometric", surfaces.geometric},
+                     {"out_incoming", surfaces.incoming},
+                     {"out_diffuse", surfaces.diffuse},
+                     {"out_specular", surfaces.specular},
+                     {"out_emission", generation.emission}});
 }
 
 }  // namespace
@@ -72,25 +96,9 @@ void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surf
 
 void from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces& surfaces, Generation& generation) {
   const Children& children = in.children;
-  const uint32_t end = children.first_child + in.count;
-  CRSH_ASSERT(surfaces.position.bytes() >= end * word_bytes, "surfaces without room for a batch's hits");
-  surfaces.count = generation.count = end;
-  clear_direct(recorder, generation, children.first_child, in.count);
-  const HitsPush push{children.first_ray, in.count, children.surfaces, children.first_surface, children.first_child};
-  recorder.dispatch("surfaces/from_hits", in.count, push,
-                    {in.scene.tables,
-                     {"rays", in.rays},
-                     {"slot_of", in.slots},
-                     {"hits", in.hits},
-                     {"parent_diffuse", in.parents.diffuse},
-                     {"parent_specular", in.parents.specular},
-                     {"out_position", surfaces.position},
-                     {"out_normal", surfaces.normal},
-                     {"out_geometric", surfaces.geometric},
-                     {"out_incoming", surfaces.incoming},
-                     {"out_diffuse", surfaces.diffuse},
-                     {"out_specular", surfaces.specular},
-                     {"out_emission", generation.emission}});
+  CRSH_ASSERT(surfaces.position.bytes() >= children.end * word_bytes, "surfaces without room for a batch's hits");
+  surfaces.count = generation.count = children.end;
+  for (uint32_t kind = 0; kind < kind_count; ++kind) add_hits(recorder, in, kind, surfaces, generation);
 }
 
 }  // namespace crsh::surfaces

@@ -1,7 +1,6 @@
 #pragma once
 // The points to shade at one bounce: what the raster pass (k = 0) or the hits of the bounce before yield.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,27 +24,32 @@ struct Surfaces {
   /// xyz: unit direction of the ray that came; w: eta = n(this side) / n(other side), 1: no bend
   gpu::Buffer incoming;
   gpu::Buffer diffuse;   ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
-  gpu::Buffer specular;  ///< rgb: F0; w: bits of the path: 1, then a bit a bounce (0 reflected, 1 refracted)
+  gpu::Buffer specular;  ///< rgb: F0; w: bits of the path: 1, then shared::path_bits a bounce: RayKind::turn
   uint32_t count = 0;
 };
 
-/// The closest-hit rays of one batch, whose hits are surfaces of the next generation.
+/// The rays of one closest-hit kind in a batch, in creation order: their hits are surfaces of the next generation.
+struct ChildRun {
+  uint32_t first_slot = shared::none;  ///< of the kind's segment; none: the batch has no such rays
+  uint32_t first_ray = 0, count = 0;   ///< of the batch
+  uint32_t first_child = 0;            ///< surface of the next generation that the first ray's hit is
+};
+
+/// The closest-hit rays of one batch.
 struct Children {
   gpu::Buffer ends;            ///< the batch's: uint a slot, the inclusive scan of its head flags
   uint32_t first_surface = 0;  ///< of the parents: the batch's slot 0 of each segment
   uint32_t surfaces = 0;       ///< slots a segment
-  std::array<uint32_t, kind_count> first_slot = {shared::none, shared::none, shared::none};  ///< of the kind's segment
-  uint32_t first_ray = 0;               ///< of the batch's closest-hit rays; in creation order they are, from there on,
-  uint32_t first_child = 0;             ///< the surfaces of the next generation from this one on
+  PerKind<ChildRun> of_kind;
+  uint32_t end = 0;                     ///< surfaces of the next generation, with these
   const gpu::Buffer* totals = nullptr;  ///< of the next generation, once that is gathered
 };
 
 /// What stays of a generation of surfaces until the gathering comes back to it.
 struct Generation {
-  gpu::Buffer emission;           ///< vec4: cd/m2; w: F0's part that is not base colour; -1 where nothing was met
-  gpu::Buffer direct;             ///< vec4: light that shadow rays let through, cd/m2
-  gpu::Buffer reflection_weight;  ///< vec4; written where the kind is cast
-  gpu::Buffer refraction_weight;
+  gpu::Buffer emission;            ///< vec4: cd/m2; w: F0's part that is not base colour; -1 where nothing was met
+  gpu::Buffer direct;              ///< vec4: light that shadow rays let through, cd/m2
+  PerKind<gpu::Buffer> weights;    ///< vec4: of what the kind's rays bring; of closest-hit kinds, where they are cast
   std::vector<Children> children;  ///< in order of surfaces
   uint32_t count = 0;
 };
@@ -70,13 +74,12 @@ struct FromHitsIn {
   const gpu::Buffer& rays;   ///< shared::Ray, of the batch, in creation order
   const gpu::Buffer& slots;  ///< uint a ray
   const gpu::Buffer& hits;   ///< shared::Hit a ray, in creation order
-  const Children& children;  ///< `first_ray` on: the rays; their surfaces go to `first_child` on
-  uint32_t count = 0;        ///< closest-hit rays
+  const Children& children;
   const Surfaces& parents;
 };
 
-/// Generation k + 1: where the reflection and refraction rays of one batch hit. `surfaces` must have room (reserve) for
-/// in.children.first_child + in.count; both counts become that.
+/// Generation k + 1: where the closest-hit rays of one batch hit. `surfaces` must have room (reserve) for
+/// in.children.end; both counts become that.
 void from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces& surfaces, Generation& generation);
 
 }  // namespace crsh::surfaces

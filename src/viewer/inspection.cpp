@@ -12,13 +12,13 @@ constexpr double most_rays = 250'000, most_moving = 20'000;
 
 /// Every row of the picture's, and no more rays than a table can hold at ease.
 RenderOptions reduced(const InspectIn& in) {
+  const RayKind& kind = ray_kinds[in.kind];
   RenderOptions options = in.options;
   options.rays.fill(false);
   options.rays[in.kind] = true;
-  options.bounces = in.kind == shared::kind_shadow ? 0 : 1;
+  options.bounces = kind.cast_at(0, 0) ? 0 : 1;
   options.layers = {LayerId::beauty};
-  const double rays =
-      double(options.width) * options.height * (in.kind == shared::kind_shadow ? std::max(in.lights, 1u) : 1);
+  const double rays = double(options.width) * options.height * (kind.one_a_light ? std::max(in.lights, 1u) : 1);
   const double by = std::sqrt(std::max(rays / (in.moving ? most_moving : most_rays), 1.0));
   options.width = std::max(1u, uint32_t(options.width / by));
   options.height = std::max(1u, uint32_t(options.height / by));

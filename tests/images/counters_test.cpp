@@ -40,7 +40,8 @@ TEST_CASE("rays are cast by the definition: shadow rays at every bounce, the oth
   for (const RayStatistics& row : rendered.statistics.rays) {
     CAPTURE(row.kind);
     CAPTURE(row.bounce);
-    CHECK((row.count > 0) == (row.kind == "shadow" || row.bounce < 2));
+    const RayKind& kind = ray_kinds[*kind_named(row.kind)];
+    CHECK((row.count > 0) == (kind.adds_light && kind.cast_at(row.bounce, 2)));
     CHECK(row.hits <= row.count);
   }
 }

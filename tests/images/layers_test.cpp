@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/device.h"
+#include "support/kinds.h"
 #include "support/render.h"
 
 namespace crsh::test {
@@ -159,7 +160,7 @@ TEST_CASE("the tests of all pixels add up to the counters however rays are bundl
   RenderOptions options = small();
   options.algorithm = preset("crsh");
   options.algorithm.arity = 3;
-  options.algorithm.levels = {5, 2, 1};
+  options.algorithm.levels = in_turn<uint32_t>({5, 2, 1});
   check_tests(render(own_scene("glass"), options));
   options.algorithm.mixed_batches = false;
   options.algorithm.ray_order = RayOrder::tiles;

@@ -8,6 +8,7 @@
 #include "hierarchy/hierarchy.h"
 #include "rays/hash.h"
 #include "support/device.h"
+#include "support/kinds.h"
 #include "support/render.h"
 
 namespace crsh::test {
@@ -45,7 +46,7 @@ TEST_CASE("every key, with compression, and every way to build levels give the s
       options.algorithm.keys.fill(key);
       options.algorithm.compression = true;
       options.algorithm.fit = fit;
-      options.algorithm.levels = {3, 2, 1};
+      options.algorithm.levels = in_turn<uint32_t>({3, 2, 1});
       CHECK(difference(ours, render(glass, options)) == "");
     }
   CHECK(device().validation_messages() == 0);
@@ -61,7 +62,7 @@ void check_bound(const std::string& algorithm, const std::string& bound, gpu::De
   options.algorithm.nodes = NodeCut::fixed;
   CHECK(difference(expected, render(own_scene("glass"), options)) == "");
   options.algorithm.fit = Fit::merged;
-  options.algorithm.keys = {"creation", "hilbert", "creation"};
+  options.algorithm.keys = in_turn<std::string>({"creation", "hilbert", "creation"});
   CHECK(difference(expected, render(alone, own_scene("glass"), options)) == "");
 }
 

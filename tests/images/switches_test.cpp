@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rays/hash.h"
+#include "support/kinds.h"
 #include "support/render.h"
 
 namespace crsh::test {
@@ -73,8 +74,10 @@ TEST_CASE("every sort key gives the same hits and picture") {
 }
 
 TEST_CASE("kinds sorted by different keys, or one not at all, give the same hits and picture") {
-  CHECK(difference_by([](auto& options) { options.keys = {"octahedral", "", "spherical"}; }) == "");
-  CHECK(difference_by([](auto& options) { options.keys = {"", "hilbert", ""}; }) == "");
+  CHECK(difference_by([](auto& options) {
+          options.keys = in_turn<std::string>({"octahedral", "", "spherical"});
+        }) == "");
+  CHECK(difference_by([](auto& options) { options.keys = in_turn<std::string>({"", "hilbert", ""}); }) == "");
 }
 
 TEST_CASE("merged and fitted bounds give the same hits and picture") {
@@ -142,8 +145,8 @@ TEST_CASE("rays that are too scattered for nodes go one by one, kind by kind") {
 }
 
 TEST_CASE("kinds with different numbers of levels give the same hits and picture") {
-  CHECK(difference_by([](auto& options) { options.levels = {1, 3, 2}; }) == "");
-  CHECK(difference_by([](auto& options) { options.levels = {4, 1, 8}, options.arity = 2; }) == "");
+  CHECK(difference_by([](auto& options) { options.levels = in_turn<uint32_t>({1, 3, 2}); }) == "");
+  CHECK(difference_by([](auto& options) { options.levels = in_turn<uint32_t>({4, 1, 8}), options.arity = 2; }) == "");
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ void check_near(uint64_t count, uint64_t expected) {
 /// Only the rays of one kind at k = 0.
 uint64_t count_of(const View& view, const scene::Scene& scene, uint32_t kind) {
   RenderOptions options = options_of(view, 512, kind == shared::kind_shadow ? 0 : 1);
-  options.rays = {};
+  options.rays.fill(false);
   options.rays[kind] = true;
   return rays_of(render(scene, options).statistics, ray_kinds[kind].name, 0).count;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crsh/kinds.h"
 #include "shared/limits.h"
 #include "shared/ray.h"
 
@@ -25,7 +26,7 @@ struct Traced {
 
 Traced traced(const RayTable& rays, uint32_t row) {
   return {{rays.origin[row], rays.direction[row], rays.tmax[row]},
-          rays.kind[row] == shared::kind_shadow,
+          ray_kinds[rays.kind[row]].any_hit,
           rays.hit[row],
           rays.t[row],
           rays.transmittance[row]};

@@ -59,7 +59,7 @@ Built build(const Lists& lists, uint32_t arity, Fit fit, const std::string& name
   Built built{make_batch(test::device(), lists), {}, {}, {}};
   AlgorithmOptions options;
   options.arity = arity;
-  options.levels = {4, 4, 4};
+  options.levels.fill(4);
   options.fit = fit;
   options.bound = name;
   gpu::Recorder recorder(test::device());

@@ -19,7 +19,7 @@ namespace {
 AlgorithmOptions algorithm(uint32_t arity, uint32_t levels) {
   AlgorithmOptions options;
   options.arity = arity;
-  options.levels = {levels, levels, levels};
+  options.levels.fill(levels);
   return options;
 }
 

@@ -12,6 +12,7 @@
 #include "shared/limits.h"
 #include "support/cases_trace.h"
 #include "support/device.h"
+#include "support/kinds.h"
 #include "support/twin_bounds.h"
 
 using namespace crsh;
@@ -39,10 +40,10 @@ SortedBatch bundles(const std::vector<glm::uvec2>& kinds_and_counts, uint32_t se
   return batch;
 }
 
-AlgorithmOptions options_of(uint32_t arity, std::array<uint32_t, kind_count> levels, Fit fit = Fit::merged) {
+AlgorithmOptions options_of(uint32_t arity, const std::vector<uint32_t>& levels, Fit fit = Fit::merged) {
   AlgorithmOptions options;
   options.arity = arity;
-  options.levels = levels;
+  options.levels = in_turn(levels);
   options.fit = fit;
   return options;
 }
@@ -147,7 +148,8 @@ TEST_CASE("nodes group neighbours of one segment, for every number of rays, arit
 TEST_CASE("no node holds rays of two segments, and each kind has as many levels as it asks for") {
   const SortedBatch batch = bundles({{0, 65}, {0, 0}, {0, 9}, {1, 4097}, {2, 7}, {2, 64}, {2, 0}});
   Hierarchy kept;
-  for (const std::array<uint32_t, 3>& levels : {std::array{2u, 2u, 2u}, {1u, 5u, 3u}, {4u, 1u, 2u}, {3u, 2u, 5u}})
+  for (const std::vector<uint32_t>& levels :
+       std::vector<std::vector<uint32_t>>{{2, 2, 2}, {1, 5, 3}, {4, 1, 2}, {3, 2, 5}})
     for (const uint32_t arity : {2u, 3u, 8u}) {
       CAPTURE(levels[0]);
       CAPTURE(arity);
@@ -159,8 +161,8 @@ TEST_CASE("the children of a run of nodes are those of its nodes together") {
   const SortedBatch batch = bundles({{0, 65}, {1, 100}, {2, 7}});
   gpu::Recorder recorder(test::device());
   Hierarchy hierarchy;
-  build(recorder, batch, options_of(3, {3, 3, 3}), hierarchy);
-  const std::vector<TwinLevel> twin = twin_levels(batch.batch.segments, options_of(3, {3, 3, 3}));
+  build(recorder, batch, options_of(3, {3}), hierarchy);
+  const std::vector<TwinLevel> twin = twin_levels(batch.batch.segments, options_of(3, {3}));
   for (uint32_t l = 0; l < 3; ++l)
     for (uint32_t first = 0; first < hierarchy.levels[l].count; ++first)
       for (uint32_t end = first + 1; end <= hierarchy.levels[l].count; ++end) {
@@ -173,7 +175,7 @@ TEST_CASE("the children of a run of nodes are those of its nodes together") {
 TEST_CASE("merged bounds are those of equations 1 to 8, and no smaller") {
   for (uint32_t seed = 1; seed <= 8; ++seed) {
     const SortedBatch batch = bundles({{0, 300}, {1, 517}}, seed);
-    const Read read = built(batch, options_of(8, {3, 3, 3}));
+    const Read read = built(batch, options_of(8, {3}));
     std::vector<Bound> below;
     for (size_t l = 0; l < read.levels.size(); ++l) {
       below = merged_level(read.levels[l], batch.sorted_rays, l ? &below : nullptr);
@@ -187,7 +189,7 @@ TEST_CASE("merged bounds are those of equations 1 to 8, and no smaller") {
 TEST_CASE("fitted bounds are the smallest about the middle of their rays' boxes, and no smaller") {
   for (uint32_t seed = 1; seed <= 8; ++seed) {
     const SortedBatch batch = bundles({{0, 300}, {1, 517}}, seed);
-    const Read read = built(batch, options_of(8, {3, 3, 3}, Fit::all));
+    const Read read = built(batch, options_of(8, {3}, Fit::all));
     for (size_t l = 0; l < read.levels.size(); ++l) {
       CAPTURE(seed);
       CAPTURE(l);
@@ -212,7 +214,7 @@ TEST_CASE("a node's interval ends with its longest ray") {
 
 TEST_CASE("bounds of more rays than a lane may walk are merged from below") {
   const SortedBatch batch = bundles({{0, 70'000}});  // lavapipe 22.3 ends loops after 65,535 iterations
-  const Read read = built(batch, options_of(64, {3, 3, 3}, Fit::all));
+  const Read read = built(batch, options_of(64, {3}, Fit::all));
   REQUIRE(read.nodes[2].size() == 1);
   uint32_t outside = 0;
   for (const shared::Ray& ray : batch.sorted_rays) outside += !holds(bound_of(read.nodes[2][0]), bound_of(ray));
@@ -246,7 +248,7 @@ double expected_mean(uint32_t count, uint32_t bunch, uint32_t arity) {
 TEST_CASE("how many rays nodes would hold is found from a sample of the rays as they were created") {
   gpu::Recorder recorder(test::device());
   gpu::Buffer sums;
-  AlgorithmOptions options = options_of(8, {2, 2, 2});
+  AlgorithmOptions options = options_of(8, {2});
   options.cut_angle = 0.1f;
   for (const uint32_t count : {1u, 127u, 128u, 129u, 5'000u, 100'000u})
     for (const uint32_t bunch : {1u, 3u, 5u, 1'000u}) {

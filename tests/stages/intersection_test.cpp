@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "crsh/kinds.h"
 #include "intersection/intersection.h"
 #include "shared/counters.h"
 #include "shared/limits.h"
@@ -91,7 +92,7 @@ std::optional<Meeting> clear_meeting(const shared::Ray& ray, const Triangle& tri
 /// The closest hit or the sum of transmittances, as shaders/intersection/meet.glsl has them.
 glm::uvec4 twin_hit(const shared::Ray& ray, const std::vector<Triangle>& triangles, uint32_t opaque,
                     const glm::uvec4& tint) {
-  const bool shadow = ray.direction.w == float(shared::kind_shadow);
+  const bool shadow = ray_kinds[uint32_t(ray.direction.w)].any_hit;
   glm::uvec4 hit = shadow ? glm::uvec4(0) : glm::uvec4(std::bit_cast<uint32_t>(INFINITY), shared::none, 0, 0);
   for (uint32_t i = 0; i < triangles.size(); ++i) {
     const Meeting met = hit_triangle(ray, triangles[i], false);

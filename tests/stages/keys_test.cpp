@@ -16,15 +16,13 @@ using namespace crsh;
 
 namespace {
 
-rays::Keys keys(const std::string& name) { return {name, name, name}; }
-
 /// The hashes of `rays`, all of one kind.
 std::vector<uint32_t> hashes(const std::string& key, const std::vector<shared::Ray>& rays, uint32_t kind) {
   gpu::Recorder recorder(test::device());
   gpu::Buffer pairs;
   const rays::Batch batch = test::make_batch(rays, {{kind, 0, 0, uint32_t(rays.size())}});
-  const uint32_t bits = rays::hash(recorder, batch, keys(key), test::unit_bounds(), pairs);
-  CHECK(bits == rays::hash_bits(key, kind));
+  const uint32_t bits = rays::hash(recorder, batch, rays::Keys(key), test::unit_bounds(), pairs);
+  CHECK(bits == rays::hash_bits(key, {.kind = kind}));
   std::vector<uint32_t> result;
   uint32_t misplaced = 0;
   for (const glm::uvec2& pair : recorder.read<glm::uvec2>(pairs, rays.size())) {
@@ -105,7 +103,7 @@ TEST_CASE("places beyond the scene's bounds have the key of the nearest place on
 TEST_CASE("every key keeps to its bits, and to 26, so that 64 segments fit beside it") {
   for (const std::string& key : rays::key_names())
     for (uint32_t kind = 0; kind < shared::kind_count; ++kind) {
-      const uint32_t bits = rays::hash_bits(key, kind);
+      const uint32_t bits = rays::hash_bits(key, {.kind = kind});
       CAPTURE(key);
       CHECK(bits <= 26);
       for (uint32_t hash : hashes(key, test::key_rays(5'000, kind), kind)) REQUIRE((uint64_t(hash) >> bits) == 0);
@@ -122,7 +120,7 @@ TEST_CASE("keys are the same on every run") {
 }
 
 TEST_CASE("the paper's key is theta and phi, 5 bits each, theta above phi") {
-  CHECK(rays::hash_bits("spherical", shared::kind_shadow) == 10);
+  CHECK(rays::hash_bits("spherical", {.kind = shared::kind_shadow}) == 10);
   std::vector<shared::Ray> rays(4);
   rays[0].direction = {0, 1, 0, 0};
   rays[1].direction = {0, -1, 0, 0};
@@ -189,6 +187,6 @@ TEST_CASE("directions that have no key of their own still get one") {
     for (uint32_t kind = 0; kind < shared::kind_count; ++kind)
       for (uint32_t hash : hashes(key, rays, kind)) {
         CAPTURE(key);
-        CHECK((uint64_t(hash) >> rays::hash_bits(key, kind)) == 0);
+        CHECK((uint64_t(hash) >> rays::hash_bits(key, {.kind = kind})) == 0);
       }
 }

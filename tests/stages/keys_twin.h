@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "crsh/kinds.h"
 #include "shared/ray.h"
 
 namespace crsh::test {
@@ -91,7 +92,7 @@ inline std::optional<uint32_t> key_twin(const std::string& name, glm::vec3 place
   if (name == "spherical") {
     const glm::vec2 angles = spherical_twin(d);
     const uint32_t hash = cell_twin(angles.x, 5) << 5 | cell_twin(angles.y, 5);
-    return kind == shared::kind_shadow ? hash : (origin(5)[0] << 10 | origin(5)[1] << 5 | origin(5)[2]) << 10 | hash;
+    return ray_kinds[kind].shares_origin ? hash : (origin(5)[0] << 10 | origin(5)[1] << 5 | origin(5)[2]) << 10 | hash;
   }
   if (name == "creation") return 0;
   return {};

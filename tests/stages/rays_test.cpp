@@ -8,6 +8,7 @@
 #include "rays/create.h"
 #include "shared/ray.h"
 #include "small_scene.h"
+#include "support/kinds.h"
 #include "surfaces_by_hand.h"
 
 namespace crsh {
@@ -51,8 +52,8 @@ Created create(const std::vector<Point>& points, const std::vector<shared::Light
   const auto weights = [&](const gpu::Buffer& b) {
     return b.bytes() ? recorder.read<glm::vec4>(b, points.size()) : std::vector<glm::vec4>{};
   };
-  out.reflection = weights(made.generation.reflection_weight);
-  out.refraction = weights(made.generation.refraction_weight);
+  out.reflection = weights(made.generation.weights[shared::kind_reflection]);
+  out.refraction = weights(made.generation.weights[shared::kind_refraction]);
   return out;
 }
 
@@ -235,7 +236,7 @@ TEST_CASE("plans keep to 64 segments and the given slots, and leave nothing out"
   for (const bool mixed : {true, false})
     for (const uint32_t surfaces : {1u, 1000u, 5000u})
       for (const uint32_t lights : {0u, 1u, 70u, 300u}) {
-        const auto plans = rays::plan_batches({surfaces, lights, {true, true, true}, mixed, 4096});
+        const auto plans = rays::plan_batches({surfaces, lights, PerKind<bool>(true), mixed, 4096});
         uint64_t wanted = 0;
         for (const rays::BatchPlan& plan : plans) {
           CHECK(plan.slots() <= 4096);
@@ -244,19 +245,38 @@ TEST_CASE("plans keep to 64 segments and the given slots, and leave nothing out"
             for (const rays::Wanted& w : plan.segments) CHECK(w.kind == plan.segments[0].kind);
           wanted += plan.slots();
         }
-        CHECK(wanted == uint64_t(surfaces) * (lights + 2));
+        uint64_t segments = 0;
+        for (const RayKind& kind : ray_kinds) segments += kind.one_a_light ? lights : 1;
+        CHECK(wanted == surfaces * segments);
       }
   CHECK(rays::plan_batches({0, 5}).empty());
-  CHECK(rays::plan_batches({5, 0, {true, false, false}}).empty());
+  CHECK(rays::plan_batches({5, 0, test::only({shared::kind_shadow})}).empty());
+}
+
+TEST_CASE("a plan's segments rise by kind and light, and its runs are those of one kind") {
+  for (const rays::BatchPlan& plan : rays::plan_batches({.surfaces = 10, .lights = 3})) {
+    uint32_t segments = 0;
+    for (const rays::KindRun& run : rays::runs_of(plan)) {
+      CHECK(run.first == segments);
+      CHECK(run.segments == (ray_kinds[run.kind].one_a_light ? 3 : 1));
+      for (uint32_t i = 0; i < run.segments; ++i, ++segments) {
+        CHECK(plan.segments[segments].kind == run.kind);
+        CHECK(plan.segments[segments].light == i);
+      }
+    }
+    CHECK(segments == plan.segments.size());
+  }
 }
 
 TEST_CASE("shadow rays are cast from the last bounce, too; the others only before it") {
   RenderOptions options;
   options.bounces = 2;
-  CHECK(rays::kinds_at(options, 1) == std::array{true, true, true});
-  CHECK(rays::kinds_at(options, 2) == std::array{true, false, false});
-  options.rays[0] = false;
-  CHECK(rays::kinds_at(options, 0) == std::array{false, true, true});
+  const uint32_t shadow = shared::kind_shadow, reflection = shared::kind_reflection,
+                 refraction = shared::kind_refraction;
+  CHECK(rays::kinds_at(options, 1) == test::only({shadow, reflection, refraction}));
+  CHECK(rays::kinds_at(options, 2) == test::only({shadow}));
+  options.rays[shadow] = false;
+  CHECK(rays::kinds_at(options, 0) == test::only({reflection, refraction}));
 }
 
 }  // namespace

@@ -144,14 +144,15 @@ TEST_CASE("gathering follows slots to rays to children, by kind, and takes the b
   gpu::Device& device = test::device();
   const std::vector<glm::vec4> light = {glm::vec4(0.5f), glm::vec4(0.25f), glm::vec4(9)};
   gpu::upload_bytes(device, made.generation.direct, 0, light.data(), 48);
-  made.generation.reflection_weight = gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.5f)), "weights");
-  made.generation.refraction_weight = gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.25f)), "weights");
+  made.generation.weights[shared::kind_reflection] =
+      gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.5f)), "weights");
+  made.generation.weights[shared::kind_refraction] =
+      gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.25f)), "weights");
   surfaces::Children children;
   children.ends = gpu::upload(device, std::vector<uint32_t>{5, 5, 5, 6, 7, 7, 7, 8, 8}, "ends");  // slots 0-2: shadow
   children.surfaces = 3;
-  children.first_slot = {shared::none, 3, 6};
-  children.first_ray = 5;
-  children.first_child = 1;
+  children.of_kind[shared::kind_reflection] = {3, 5, 2, 1};
+  children.of_kind[shared::kind_refraction] = {6, 7, 1, 3};
   const gpu::Buffer totals =
       gpu::upload(device, std::vector<glm::vec4>{glm::vec4(100), glm::vec4(2), glm::vec4(4), glm::vec4(8)}, "totals");
   children.totals = &totals;
@@ -159,20 +160,22 @@ TEST_CASE("gathering follows slots to rays to children, by kind, and takes the b
   shading::Gathered gathered;
   shading::gather(recorder, made.generation, {0.125f, 0, 0}, gathered, shading::Parts::wanted);
   const auto total = recorder.read<glm::vec4>(gathered.total, 3),
-             reflected = recorder.read<glm::vec4>(gathered.reflection, 3);
+             reflected = recorder.read<glm::vec4>(gathered.brought[shared::kind_reflection], 3);
   CHECK(total[0] == glm::vec4(2.5f, 1.5f, 1.5f, 1));     // 1 emitted (red), 0.5 direct, half of child 1
   CHECK(total[1] == glm::vec4(4.25f, 4.25f, 4.25f, 1));  // 0.25 direct, half of child 2, a quarter of child 3
   CHECK(total[2] == glm::vec4(0.125f, 0, 0, 0));
   CHECK(glm::vec3(reflected[1]) == glm::vec3(2));
-  CHECK(recorder.read<glm::vec4>(gathered.refraction, 3)[1].r == 2);
+  CHECK(recorder.read<glm::vec4>(gathered.brought[shared::kind_refraction], 3)[1].r == 2);
 }
 
 TEST_CASE("kinds in batches of their own gather the same") {
   gpu::Recorder recorder(test::device());
   gpu::Device& device = test::device();
   test::HandMade made = test::upload_points(std::vector<Point>(2));
-  made.generation.reflection_weight = gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(1)), "weights");
-  made.generation.refraction_weight = gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(1)), "weights");
+  made.generation.weights[shared::kind_reflection] =
+      gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(1)), "weights");
+  made.generation.weights[shared::kind_refraction] =
+      gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(1)), "weights");
   const gpu::Buffer totals =
       gpu::upload(device, std::vector<glm::vec4>{glm::vec4(2), glm::vec4(3), glm::vec4(5)}, "totals");
   for (const uint32_t kind : {shared::kind_reflection, shared::kind_refraction}) {
@@ -180,8 +183,8 @@ TEST_CASE("kinds in batches of their own gather the same") {
     children.ends = gpu::upload(
         device, kind == shared::kind_reflection ? std::vector<uint32_t>{1, 2} : std::vector<uint32_t>{0, 1}, "ends");
     children.surfaces = 2;
-    children.first_slot[kind] = 0;
-    children.first_child = kind == shared::kind_reflection ? 0 : 2;
+    children.of_kind[kind] = {0, 0, kind == shared::kind_reflection ? 2u : 1u,
+                              kind == shared::kind_reflection ? 0u : 2u};
     children.totals = &totals;
     made.generation.children.push_back(std::move(children));
   }
@@ -212,9 +215,9 @@ TEST_CASE("the film averages samples, keeps the first one's geometry, and knows 
       shading::Gathered gathered;
       gathered.total = gpu::upload(
           test::device(), std::vector<glm::vec4>{glm::vec4(2, 4, 6, sample ? 0 : 1), glm::vec4(1, 1, 1, 0)}, "totals");
-      gathered.reflection =
+      gathered.brought[shared::kind_reflection] =
           gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(1), glm::vec4(0)}, "reflected");
-      gathered.refraction =
+      gathered.brought[shared::kind_refraction] =
           gpu::upload(test::device(), std::vector<glm::vec4>{glm::vec4(0), glm::vec4(0)}, "refracted");
       shading::begin_sample(film);
       shading::add_sample(recorder, {made.surfaces, made.generation, gathered, gpu, raster::CameraView{}}, film);

@@ -10,6 +10,7 @@
 #include "shared/counters.h"
 #include "support/cases_trace.h"
 #include "support/device.h"
+#include "support/kinds.h"
 #include "traversal_twin.h"
 
 using namespace crsh;
@@ -17,10 +18,10 @@ using namespace crsh::test;
 
 namespace {
 
-AlgorithmOptions algorithm(uint32_t arity, std::array<uint32_t, kind_count> levels) {
+AlgorithmOptions algorithm(uint32_t arity, const std::vector<uint32_t>& levels) {
   AlgorithmOptions options;
   options.arity = arity;
-  options.levels = levels;
+  options.levels = in_turn(levels);
   return options;
 }
 
@@ -86,7 +87,7 @@ gpu::DeviceRequest request() {
 }
 
 std::vector<AlgorithmOptions> several_algorithms() {
-  std::vector<AlgorithmOptions> all = {algorithm(8, {2, 2, 2}), algorithm(8, {1, 3, 2}), algorithm(2, {5, 4, 1}),
+  std::vector<AlgorithmOptions> all = {algorithm(8, {2}), algorithm(8, {1, 3, 2}), algorithm(2, {5, 4, 1}),
                                        algorithm(64, {2, 1, 2}), algorithm(3, {2, 5, 3})};
   all[1].fit = Fit::merged;
   all[2].interval = false;
@@ -115,7 +116,7 @@ TEST_CASE("whole nodes below two levels: level-1 tests are arity times level-2 h
   Place place(device());
   const auto lists = ray_lists(world_triangles(place.tracer.recorder(), place.scene));
   place.rays = make_batch(device(), {{lists[0].begin(), lists[0].begin() + 512}});
-  const Traced traced = place.tracer.trace(place.scene, place.rays, {algorithm(8, {2, 2, 2})});
+  const Traced traced = place.tracer.trace(place.scene, place.rays, {algorithm(8, {2})});
   const uint64_t hits = traced.counter(shared::kind_shadow, shared::counter_level_hits + 1);
   CHECK(hits > 0);
   CHECK(traced.counter(shared::kind_shadow, shared::counter_level_tests) == 8 * hits);
@@ -204,7 +205,7 @@ TEST_CASE("a node that may hit over 65,535 triangles loses none of them") {
   }
   const SortedBatch batch = make_batch(device(), {rays});
   const Traced all = tracer.trace_all(scene, batch);
-  const Traced traced = tracer.trace(scene, batch, {algorithm(64, {2, 2, 2})});
+  const Traced traced = tracer.trace(scene, batch, {algorithm(64, {2})});
   CHECK(all.counter(shared::kind_reflection, shared::counter_triangle_tests) == 64ull * scene.triangle_count);
   CHECK(all.hits.back().y == scene.triangle_count - 1);
   CHECK(traced.pairs.size() > 65'535);

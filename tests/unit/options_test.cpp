@@ -6,6 +6,7 @@
 #include "cli/values.h"
 #include "crsh/error.h"
 #include "crsh/options.h"
+#include "support/kinds.h"
 
 namespace crsh {
 namespace {
@@ -63,12 +64,12 @@ TEST_CASE("nodes go through the object hierarchy on one or two levels") {
   AlgorithmOptions options = preset("crsh-bvh");
   CHECK(options.object_hierarchy);
   CHECK_NOTHROW(require_sound(options));
-  options.levels = {1, 2, 1};
+  options.levels = test::in_turn<uint32_t>({1, 2});
   CHECK_NOTHROW(require_sound(options));
-  options.levels = {2, 3, 2};
+  options.levels = test::in_turn<uint32_t>({2, 3});
   CHECK_THROWS_WITH_AS(require_sound(options), Contains("--levels 2"), UserError);
   options = preset("crsh");
-  options.levels = {8, 8, 8};
+  options.levels.fill(8);
   CHECK_NOTHROW(require_sound(options));
 }
 
@@ -84,7 +85,9 @@ TEST_CASE("a switch changes one thing of the preset, wherever it stands") {
   CHECK(parsed.command.options.algorithm.preset == "crsh-2017");
   CHECK(parsed.command.options.algorithm.interval);
   CHECK(parsed.command.options.algorithm.compression);
-  CHECK(parsed.command.options.algorithm.levels == std::array<uint32_t, kind_count>{3, 2, 2});
+  PerKind<uint32_t> levels(2);
+  levels[shared::kind_shadow] = 3;
+  CHECK(parsed.command.options.algorithm.levels == levels);
 }
 
 TEST_CASE("a key is of one kind or of all, and best is each kind's own") {
@@ -126,7 +129,7 @@ TEST_CASE("values are read as they are written") {
   CHECK(command.options.view.eye == glm::vec3(-12, 3, 0.5f));
   CHECK(command.exposure == -1.5f);
   CHECK_FALSE(command.options.background);
-  CHECK(command.options.rays == std::array<bool, kind_count>{true, false, false});
+  CHECK(command.options.rays == test::only({shared::kind_shadow}));
   CHECK(command.device.memory_budget == uint64_t(256) << 20);
   CHECK(command.options.layers == LayerSet{LayerId::beauty, LayerId::depth});
   CHECK(command.outputs[0].to_stdout());

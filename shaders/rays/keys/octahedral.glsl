@@ -3,7 +3,7 @@
 #include "lib/morton.glsl"
 #include "lib/octahedral.glsl"
 
-layout(constant_id = 0) const uint shadow_key_bits = 24;
-layout(constant_id = 1) const uint bounce_key_bits = 24;
+layout(constant_id = 0) const uint shared_origin_key_bits = 24;
+layout(constant_id = 1) const uint key_bits = 24;
 
-uint ray_key(vec3 place, vec3 direction, uint kind) { return morton(cell_of(octahedral(direction), 12)); }
+uint ray_key(vec3 place, vec3 direction, bool shared_origin) { return morton(cell_of(octahedral(direction), 12)); }
