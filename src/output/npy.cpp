@@ -40,12 +40,25 @@ std::string header_of(const std::string& bytes, const std::string& name, size_t&
   return bytes.substr(first, length);
 }
 
+constexpr uint32_t most_letters = 256;
+
+/// Bytes of what the type's number counts: NumPy counts letters.
+uint32_t unit_of(char kind) { return kind == 'U' ? 4 : 1; }
+
+bool is_type(char kind, uint32_t count) {
+  const bool words = kind == 'S' || kind == 'U';
+  return words ? count > 0 && count <= most_letters : std::has_single_bit(count) && count <= 8;
+}
+
 NpyType type_of(const std::string& text, const std::string& name) {
-  static const std::regex form("[<|]([fiub])([1248])");
+  static const std::regex form("[<|]([fiubSU])([0-9]{1,3})");
   std::smatch found;
-  if (!std::regex_match(text, found, form))
+  const bool read = std::regex_match(text, found, form);
+  const char kind = read ? found[1].str()[0] : ' ';
+  const uint32_t count = read ? uint32_t(std::stoul(found[2])) : 0;
+  if (!read || !is_type(kind, count))
     refuse(name, fmt::format("has the type '{}': little-endian numbers are needed", text));
-  return {found[1].str()[0], uint32_t(found[2].str()[0] - '0')};
+  return {kind, count * unit_of(kind)};
 }
 
 /// "100, 3" and "100,"
@@ -75,15 +88,17 @@ uint64_t byte_count(const NpyArray& array) {
 uint64_t NpyArray::size() const { return values.size() / type.bytes; }
 
 std::string NpyArray::description() const {
+  if (type.kind == 'S' || type.kind == 'U')
+    return fmt::format("words of {} letters {}", type.bytes / unit_of(type.kind), shape_text(shape));
   const char* const kind = type.kind == 'f' ? "float" : type.kind == 'i' ? "int" : type.kind == 'u' ? "uint" : "bool";
   const std::string bits = type.kind == 'b' ? "" : std::to_string(type.bytes * 8);
   return fmt::format("{}{} {}", kind, bits, shape_text(shape));
 }
 
 std::string encode_npy(const NpyArray& array) {
-  std::string header =
-      fmt::format("{{'descr': '{}{}{}', 'fortran_order': {}, 'shape': {}, }}", array.type.bytes == 1 ? '|' : '<',
-                  array.type.kind, array.type.bytes, array.columns_first ? "True" : "False", shape_text(array.shape));
+  std::string header = fmt::format(
+      "{{'descr': '{}{}{}', 'fortran_order': {}, 'shape': {}, }}", array.type.bytes == 1 ? '|' : '<', array.type.kind,
+      array.type.bytes / unit_of(array.type.kind), array.columns_first ? "True" : "False", shape_text(array.shape));
   const size_t unpadded = magic.size() + 4 + header.size() + 1;
   header.append((alignment - unpadded % alignment) % alignment, ' ').push_back('\n');
   const char length[] = {char(header.size() & 0xFF), char(header.size() >> 8)};

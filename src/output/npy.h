@@ -8,7 +8,8 @@
 
 namespace crsh::output {
 
-/// 'f': real numbers, 'i' and 'u': whole ones with and without a sign, 'b': true and false.
+/// 'f': real numbers, 'i' and 'u': whole ones with and without a sign, 'b': true and false, 'S' and 'U': words of up to
+/// so many bytes, with one or four a letter, filled up with zeros.
 struct NpyType {
   char kind = 'f';
   uint32_t bytes = 4;
@@ -27,7 +28,7 @@ struct NpyArray {
 
 [[nodiscard]] std::string encode_npy(const NpyArray& array);
 
-/// Versions 1 to 3 of the format; types of NpyType with 1 to 8 bytes, little-endian. Throws UserError that begins with
+/// Versions 1 to 3 of the format; types of NpyType, little-endian, numbers with 1 to 8 bytes. Throws UserError that begins with
 /// `name`.
 [[nodiscard]] NpyArray decode_npy(std::string bytes, const std::string& name);
 

@@ -1,7 +1,9 @@
 #include "output/ray_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -37,6 +39,13 @@ class Writer {
   template <class T, glm::qualifier Q>
   void add(const std::string& name, const std::vector<glm::vec<3, T, Q>>& values) {
     add(name, type_of<T>(), {values.size(), 3}, std::as_bytes(std::span(values)));
+  }
+  /// As words of NumPy's.
+  void add(const std::string& name, const std::vector<std::string_view>& words) {
+    const size_t letters = std::ranges::max(words, {}, &std::string_view::size).size();
+    std::vector<uint32_t> values(words.size() * letters);
+    for (size_t word = 0; word < words.size(); ++word) std::ranges::copy(words[word], &values[word * letters]);
+    add(name, {'U', uint32_t(letters * 4)}, {words.size()}, std::as_bytes(std::span(values)));
   }
   /// Small numbers, a byte each.
   void add_bytes(const std::string& name, const std::vector<uint32_t>& values) {
@@ -101,7 +110,8 @@ class Reader {
   template <class T>
   [[nodiscard]] std::vector<T> read_integers(const std::string& name, uint64_t count, uint64_t most) const {
     const NpyArray array = load(name);
-    if (array.type.kind == 'f') refuse_type(name, array, {count}, "whole numbers");
+    if (array.type.kind == 'f' || array.type.kind == 'S' || array.type.kind == 'U')
+      refuse_type(name, array, {count}, "whole numbers");
     require_shape(name, array, {count}, "whole numbers");
     std::vector<T> values(count);
     copy(array, values.data(), [&](auto value, uint64_t row) {
@@ -110,6 +120,20 @@ class Reader {
       return static_cast<T>(value);
     });
     return values;
+  }
+  /// Words; `?` stands for what is not in ASCII.
+  [[nodiscard]] std::vector<std::string> words(const std::string& name) const {
+    const NpyArray array = load(name);
+    const size_t letter = array.type.kind == 'U' ? 4 : 1;
+    if ((array.type.kind != 'S' && array.type.kind != 'U') || array.shape.size() != 1)
+      refuse(name, fmt::format("is {}: words (n,) are needed", array.description()));
+    std::vector<std::string> words(array.size());
+    for (size_t i = 0; i < array.values.size(); i += letter) {
+      uint32_t code = 0;
+      std::memcpy(&code, &array.values[i], letter);
+      if (code) words[i / array.type.bytes].push_back(code >= 0x20 && code < 0x7F ? char(code) : '?');
+    }
+    return words;
   }
   [[noreturn]] void refuse(const std::string& array, const std::string& reason) const {
     throw UserError(fmt::format("{}: {} {}", name_, array, reason));
@@ -163,6 +187,12 @@ class Reader {
   uint64_t rows_ = 0;
 };
 
+std::vector<std::string_view> kind_names() {
+  std::vector<std::string_view> names;
+  for (const RayKind& kind : ray_kinds) names.push_back(kind.name);
+  return names;
+}
+
 bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void check_rays(const Reader& file, const RayTable& table) {
@@ -173,6 +203,22 @@ void check_rays(const Reader& file, const RayTable& table) {
       file.refuse("direction", fmt::format("of ray {} is ({}, {}, {}): a length of 1 is needed", row, d.x, d.y, d.z));
     if (table.tmax[row] < 0) file.refuse("tmax", fmt::format("of ray {} is {}, less than 0", row, table.tmax[row]));
   }
+}
+
+/// Kinds by the names that the file has for its numbers; a file without names is one of three kinds.
+std::vector<uint32_t> read_kinds(const Reader& file, uint64_t rays) {
+  const std::vector<std::string> names =
+      file.has("kinds") ? file.words("kinds") : std::vector<std::string>{"shadow", "reflection", "refraction"};
+  if (names.empty()) file.refuse("kinds", "is empty: a name for each number in kind is needed");
+  std::vector<uint32_t> kinds = file.read_integers<uint32_t>("kind", rays, names.size() - 1);
+  for (size_t row = 0; row < kinds.size(); ++row) {
+    const std::optional<uint32_t> known = kind_named(names[kinds[row]]);
+    if (!known)
+      file.refuse("kind", fmt::format("of ray {} is '{}': {} are known", row, names[kinds[row]],
+                                      fmt::join(kind_names(), ", ")));
+    kinds[row] = *known;
+  }
+  return kinds;
 }
 
 void read_image(const Reader& file, RayTable& table) {
@@ -193,6 +239,7 @@ std::string encode_rays(const RayTable& table) {
   writer.add("direction", table.direction);
   writer.add("tmax", table.tmax);
   writer.add_bytes("kind", table.kind);
+  writer.add("kinds", kind_names());
   writer.add_bytes("bounce", table.bounce);
   writer.add("light", table.light);
   writer.add("pixel", table.pixel);
@@ -216,7 +263,7 @@ RayTable read_rays(const std::filesystem::path& path) {
   table.origin = file.vectors("origin");
   table.direction = file.vectors("direction");
   table.tmax = file.reals("tmax");
-  table.kind = file.read_integers<uint32_t>("kind", table.size(), kind_count - 1);
+  table.kind = read_kinds(file, table.size());
   table.bounce = file.integers<uint32_t>("bounce", most_bounces, 0);
   table.light = file.integers<uint32_t>("light", any_word, 0);
   table.pixel = file.integers<uint32_t>("pixel", any_word, 0);

@@ -3,7 +3,8 @@
 //
 //   origin, direction  float32 (rays, 3)     key            uint64 (rays,)
 //   tmax, t            float32 (rays,)       transmittance  uint32 (rays, 3)
-//   kind, bounce       uint8 (rays,)         image          uint32 (2,): width and height
+//   kind, bounce       uint8 (rays,)         kinds          words (kinds,): the names of kind's numbers
+//                                            image          uint32 (2,): width and height
 //   light, pixel, path, batch, sorted, hit   uint32 (rays,)
 
 #include <filesystem>
@@ -20,7 +21,8 @@ namespace crsh::output {
 void write_rays(const std::filesystem::path& path, const RayTable& table);
 
 /// A file with origin, direction, tmax and kind, of float32 or float64 and of any integers; where the others are
-/// missing, bounce, light, pixel and batch are 0 and path is 1. Without image, rays stay in the file's order. What
+/// missing, bounce, light, pixel and batch are 0 and path is 1. Without kinds, 0 to 2 are shadow, reflection and
+/// refraction. Without image, rays stay in the file's order. What
 /// became of the rays is not read, but for `key`. Throws UserError that begins with the path: no archive, no such
 /// array, another shape or type, a number that no ray has.
 [[nodiscard]] RayTable read_rays(const std::filesystem::path& path);

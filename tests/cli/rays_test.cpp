@@ -97,7 +97,12 @@ TEST_CASE("files that hold no rays are refused in one line") {
   check_refused("z['tmax'] = z['tmax'][:5]", "tmax is float32 (5,)");
   check_refused("z['origin'] = z['origin'].astype(np.float16)", "origin is float16");
   check_refused("z['kind'] = z['kind'] + 7", "0 to 2 is allowed");
-  check_refused("z['kind'] = z['kind'].astype(str)", "little-endian numbers are needed");
+  check_refused("z['kind'] = z['kind'].astype(str)", "whole numbers");
+  check_refused("z['kind'] = z['kind'].astype(complex)", "little-endian numbers are needed");
+  check_refused("z['kinds'] = np.array(['shadow', 'reflection', 'glossy'])",
+                "is 'glossy': shadow, reflection, refraction");
+  check_refused("z['kinds'] = np.arange(3)", "words (n,) are needed");
+  check_refused("z['kinds'] = np.array([], dtype=str)", "a name for each number");
   check_refused("z['pixel'][0] = 16 * 12", "pixel of ray 0 is 192: image has 192");
   check_refused("del z['tmax']", "has no array 'tmax'");
   check_refused("del z['key']", "has no array 'key'");
