@@ -132,7 +132,7 @@ Table sah_table(const std::vector<SceneResults>& scenes, const std::vector<doubl
   for (const double cost : binned) reference.push_back(fmt::format("{:.2f}", cost));
   table.rows.push_back(std::move(reference));
   for (size_t variant = 0; variant < scenes.front().results.size(); ++variant) {
-    if (!scenes.front().results[variant].variant.options.algorithm.object_hierarchy) continue;
+    if (!has_object_hierarchy(scenes.front().results[variant].variant)) continue;
     std::vector<std::string> cost = {row_name(scenes.front().results[variant])}, ratio = {"  / binned"};
     for (size_t scene = 0; scene < scenes.size(); ++scene) {
       const double own = scenes[scene].results[variant].counters.object_hierarchy.sah_cost;

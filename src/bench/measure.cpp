@@ -11,6 +11,7 @@
 #include "output/exposure.h"
 #include "output/heat_map.h"
 #include "output/png.h"
+#include "trace/tracers.h"
 
 namespace crsh::bench {
 namespace {
@@ -72,8 +73,6 @@ void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& 
   result.width = picture.width;
   result.height = picture.height;
 }
-
-bool is_brute(const Variant& variant) { return variant.options.algorithm.tracing == Tracing::brute; }
 
 /// A quick way to learn how many rays a brute force variant has: the default preset, which needs the fewest tests.
 Result count_rays(gpu::Device& device, const scene::Scene& scene, Variant variant, Work& work) {
@@ -208,6 +207,12 @@ class Measurement {
 };
 
 }  // namespace
+
+bool is_brute(const Variant& variant) { return variant.options.algorithm.tracer == "brute"; }
+
+bool has_object_hierarchy(const Variant& variant) {
+  return trace::tracer_of(variant.options.algorithm).needs.object_hierarchy;
+}
 
 std::vector<Result> measure(gpu::Device& device, const scene::Scene& scene, const std::vector<Variant>& variants,
                             const Schedule& schedule, const Progress& progress) {

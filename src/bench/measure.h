@@ -24,6 +24,11 @@ struct Variant {
   nlohmann::ordered_json when = nlohmann::ordered_json::object();  ///< the options that say so
 };
 
+/// Whether every ray meets every triangle: so slow that it may be counted instead of traced.
+[[nodiscard]] bool is_brute(const Variant& variant);
+/// Whether rays go through a hierarchy over the triangles that is built here.
+[[nodiscard]] bool has_object_hierarchy(const Variant& variant);
+
 /// What a variant took. The counters are those of one pass: all passes have the same.
 struct Result {
   Variant variant;               ///< with the effective options

@@ -127,7 +127,7 @@ void add_times(Table& table, const std::vector<SceneResults>& scenes, size_t var
   std::ranges::for_each(paper_stages, add_stage);
   std::ranges::for_each(costly_stages, add_stage);
   std::ranges::for_each(other_stages, add_stage);
-  if (scenes.front().results[variant].variant.options.algorithm.object_hierarchy)
+  if (has_object_hierarchy(scenes.front().results[variant].variant))
     add("OBJECT HIERARCHY, FIRST FRAME",
         [](const Result& result) { return result.first_frame.stage_ms[static_cast<size_t>(Stage::object_hierarchy)]; });
   add("ALL SECONDARY COST", secondary_median);
@@ -268,8 +268,7 @@ Table table_3(const std::vector<SceneResults>& scenes) {
   for (const char* rival : {"rah", "bvh"})
     if (const auto reference = variant_named(scenes, rival); reference && is_timed(scenes, *reference))
       for (size_t variant = 0; variant < variants; ++variant)
-        if (variant != *reference && is_timed(scenes, variant) &&
-            scenes.front().results[variant].variant.options.algorithm.tracing != Tracing::brute)
+        if (variant != *reference && is_timed(scenes, variant) && !is_brute(scenes.front().results[variant].variant))
           add_ratios(table, scenes, variant, *reference);
   table.title = fmt::format("Table 3: render times, medians of {} interleaved frames", frames);
   table.note =

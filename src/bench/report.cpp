@@ -130,7 +130,7 @@ std::string levels_html(const SceneResults& scene, const RayFilter& filter) {
 std::string times_html(const SceneResults& scene) {
   std::vector<Stack> stacks;
   for (const Result& result : scene.results) {
-    if (result.counters.frames.empty() || result.variant.options.algorithm.tracing == Tracing::brute) continue;
+    if (result.counters.frames.empty() || is_brute(result.variant)) continue;
     Stack stack{row_name(result), "", {}};
     double sum = 0;
     for (size_t stage = 0; stage < stage_count; ++stage) {

@@ -142,7 +142,7 @@ std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::Sweep
 
 /// Where there is an object hierarchy, how good it is.
 void judge_hierarchies(const Stage& stage, Found& found) {
-  const auto has_one = [](const bench::Result& result) { return result.variant.options.algorithm.object_hierarchy; };
+  const auto has_one = [](const bench::Result& result) { return bench::has_object_hierarchy(result.variant); };
   if (std::ranges::none_of(found.scenes.front().results, has_one)) return;
   std::vector<double> binned;
   for (size_t i = 0; i < stage.scenes.size(); ++i)

@@ -8,6 +8,7 @@
 #include "cli/bench_options.h"
 #include "cli/render_checks.h"
 #include "cli/values.h"
+#include "trace/tracers.h"
 
 namespace crsh::cli {
 namespace {
@@ -95,10 +96,7 @@ std::string label_of(const Picks& picks) {
 
 }  // namespace
 
-bool ignores_switches(const std::string& algorithm) {
-  const Tracing tracing = preset(algorithm).tracing;
-  return tracing == Tracing::brute || tracing == Tracing::single_rays || tracing == Tracing::ray_query;
-}
+bool ignores_switches(const std::string& algorithm) { return !trace::tracer_of(preset(algorithm)).needs.sorted_rays; }
 
 std::vector<bench::Variant> variants_of(const BenchCommand& command, const BenchScene& scene) {
   std::vector<bench::Variant> variants;

@@ -13,7 +13,7 @@ namespace {
 
 AlgorithmOptions brute() {
   AlgorithmOptions options;
-  options.tracing = Tracing::brute;
+  options.tracer = "brute";
   options.compression = options.interval = options.mesh_culling = false;
   return options;
 }
@@ -21,15 +21,14 @@ AlgorithmOptions brute() {
 /// What anybody would write: rays one by one through the object hierarchy.
 AlgorithmOptions bvh() {
   AlgorithmOptions options = brute();
-  options.tracing = Tracing::single_rays;
-  options.object_hierarchy = true;
+  options.tracer = "single-rays";
   return options;
 }
 
 /// The device's own hierarchy and traversal.
 AlgorithmOptions ray_query() {
   AlgorithmOptions options = brute();
-  options.tracing = Tracing::ray_query;
+  options.tracer = "ray-query";
   return options;
 }
 
@@ -66,7 +65,7 @@ AlgorithmOptions crsh_best() {
 /// Nodes of rays through the object hierarchy. Here nodes may be small: they are not tested against the whole scene.
 AlgorithmOptions crsh_bvh() {
   AlgorithmOptions options = crsh_best();
-  options.object_hierarchy = true;
+  options.tracer = "object-nodes";
   options.mesh_culling = false;
   options.levels.fill(2);
   options.ray_order = RayOrder::tiles;
@@ -116,13 +115,6 @@ AlgorithmOptions preset(std::string_view name) {
 std::string best_key(std::string_view preset_name, size_t kind) {
   const std::string own = preset(preset_name).keys[kind];
   return own.empty() ? std::string(ray_kinds[kind].best_key) : own;
-}
-
-void require_sound(const AlgorithmOptions& options) {
-  const bool groups_of_groups = std::ranges::any_of(options.levels, [](uint32_t levels) { return levels > 2; });
-  if (options.tracing == Tracing::nodes && options.object_hierarchy && groups_of_groups)
-    throw UserError(fmt::format("--algorithm {} has 1 or 2 levels of nodes: give --levels 2", options.preset),
-                    Exit::usage);
 }
 
 }  // namespace crsh

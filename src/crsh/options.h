@@ -34,8 +34,6 @@ struct ViewOption {
 enum class RayOrder { scanline, tiles };
 enum class NodeCut { fixed, cut };
 enum class Fit { merged, all };
-/// What meets the scene: nodes of rays, or single rays; by themselves, or through the object hierarchy.
-enum class Tracing { nodes, brute, single_rays, ray_query };
 
 inline constexpr std::string_view default_preset = "crsh-bvh";
 
@@ -43,16 +41,17 @@ inline constexpr std::string_view default_preset = "crsh-bvh";
 struct AlgorithmOptions {
   bool operator==(const AlgorithmOptions&) const = default;
   std::string preset = std::string(default_preset);
-  Tracing tracing = Tracing::nodes;  ///< brute: every ray against every triangle. Unless nodes: no switch matters
-  bool object_hierarchy = false;     ///< there is one over the triangles (objects/)
-  PerKind<std::string> keys;         ///< a sort key a ray kind; empty: rays are not sorted
+  /// What rays meet, and how: a row of src/trace/tracers.cpp. Switches matter to those that need sorted rays.
+  std::string tracer = "mesh-nodes";
+  PerKind<std::string> keys;  ///< a sort key a ray kind; empty: rays are not sorted
   RayOrder ray_order = RayOrder::scanline;
   bool compression = true;
   NodeCut nodes = NodeCut::fixed;
   float cut_angle = 0.1f;  ///< radians: cut level-1 nodes end where rays are farther from the first
   float cut_distance = 4;  ///< of the scene's longest edge: so does the distance of their origins
-  float least_rays =
-      2;  ///< where cut nodes would hold fewer, unsorted and on average, rays go one by one (object_hierarchy)
+  /// Where cut nodes would hold fewer, unsorted and on average, rays go one by one through the object hierarchy, where
+  /// the tracer needs one.
+  float least_rays = 2;
   uint32_t arity = 8;
   PerKind<uint32_t> levels{2};
   std::string bound = "sphere-cone";
@@ -77,8 +76,6 @@ struct Preset {
 [[nodiscard]] AlgorithmOptions preset(std::string_view name);
 /// The key that --key best means for rays of this kind: the preset's own, or ray_kinds' where the preset does not sort.
 [[nodiscard]] std::string best_key(std::string_view preset_name, size_t kind);
-/// Throws UserError where switches do not go together.
-void require_sound(const AlgorithmOptions& options);
 /// The preset that only devices with ray queries have, and whose picture is the same within a tolerance.
 inline constexpr const char* ray_query_preset = "ray-query";
 

@@ -3,9 +3,8 @@
 #include <bit>
 #include <numeric>
 
-#include "crsh/ray_table.h"
-#include "frame/trace.h"
 #include "rays/hash.h"
+#include "shared/limits.h"
 #include "shared/ray.h"
 
 namespace crsh {
@@ -20,25 +19,25 @@ std::vector<uint32_t> read_w(gpu::Recorder& recorder, const gpu::Buffer& buffer,
 }
 
 /// The hash of each ray: its key without the number of its segment. Made again, because the sort has used it up.
-std::vector<uint32_t> read_keys(Renderer::State& s) {
-  const rays::Batch& batch = s.batch.rays;
-  const rays::Keys& keys = s.options.algorithm.keys;
-  if (tracing_of(s) != Tracing::nodes || !rays::any_sorted(batch, keys)) return std::vector<uint32_t>(batch.count);
-  const uint32_t bits = rays::hash(s.recorder, batch, keys, s.gpu_scene.bounds, s.batch.sort.pairs) -
+std::vector<uint32_t> read_keys(gpu::Recorder& recorder, const trace::Traced& traced) {
+  const rays::Batch& batch = traced.in.batch;
+  if (!traced.sorted()) return std::vector<uint32_t>(batch.count);
+  gpu::Buffer& pairs = traced.bundle->sort.pairs;
+  const uint32_t bits = rays::hash(recorder, batch, traced.in.options.algorithm.keys, traced.in.scene.bounds, pairs) -
                         std::bit_width(batch.segments.size() - 1);
   std::vector<uint32_t> hashes;
-  for (const glm::uvec2& pair : s.recorder.read<glm::uvec2>(s.batch.sort.pairs, batch.count))
+  for (const glm::uvec2& pair : recorder.read<glm::uvec2>(pairs, batch.count))
     hashes.push_back(pair.x & static_cast<uint32_t>((uint64_t(1) << bits) - 1));
   return hashes;
 }
 
 /// The sorted place of each ray of the batch.
-std::vector<uint32_t> read_places(Renderer::State& s) {
-  const uint32_t count = s.batch.rays.count;
+std::vector<uint32_t> read_places(gpu::Recorder& recorder, const trace::Traced& traced) {
+  const uint32_t count = traced.in.batch.count;
   std::vector<uint32_t> places(count);
   std::iota(places.begin(), places.end(), 0u);
-  if (tracing_of(s) != Tracing::nodes) return places;
-  const auto order = s.recorder.read<uint32_t>(s.batch.order.order, count);
+  if (!traced.bundle) return places;
+  const auto order = recorder.read<uint32_t>(traced.bundle->order.order, count);
   for (uint32_t place = 0; place < count; ++place) places[order[place]] = place;
   return places;
 }
@@ -59,14 +58,15 @@ void set_hit(RayTable& table, size_t row, const glm::uvec4& words) {
 
 }  // namespace
 
-void dump_batch(Renderer::State& s, uint32_t bounce, const RayNames& names, RayTable& table) {
-  const rays::Batch& batch = s.batch.rays;
-  const auto rays = s.recorder.read<shared::Ray>(batch.rays, batch.count);
-  const auto hits = s.recorder.read<glm::uvec4>(s.batch.hits, batch.count);
-  const auto slots = s.recorder.read<uint32_t>(batch.slots, batch.count);
-  const std::vector<uint32_t> keys = read_keys(s), places = read_places(s);
-  const std::vector<uint32_t> pixels = read_w(s.recorder, names.pixels, names.first_surface, batch.surfaces);
-  const std::vector<uint32_t> paths = read_w(s.recorder, names.paths, names.first_surface, batch.surfaces);
+void dump_rays(gpu::Recorder& recorder, const trace::Traced& traced, RayTable& table) {
+  const rays::Batch& batch = traced.in.batch;
+  const trace::RayNames& names = traced.in.names;
+  const auto rays = recorder.read<shared::Ray>(batch.rays, batch.count);
+  const auto hits = recorder.read<glm::uvec4>(traced.in.workspace.hits, batch.count);
+  const auto slots = recorder.read<uint32_t>(batch.slots, batch.count);
+  const std::vector<uint32_t> keys = read_keys(recorder, traced), places = read_places(recorder, traced);
+  const std::vector<uint32_t> pixels = read_w(recorder, names.pixels, names.first_surface, batch.surfaces);
+  const std::vector<uint32_t> paths = read_w(recorder, names.paths, names.first_surface, batch.surfaces);
   const uint32_t first = table.size(), number = first ? table.batch.back() + 1 : 0;
   resize(table, size_t(first) + batch.count);
   for (const rays::Segment& segment : batch.segments)
@@ -74,7 +74,7 @@ void dump_batch(Renderer::State& s, uint32_t bounce, const RayNames& names, RayT
       const size_t row = size_t(first) + ray;
       set_ray(table, row, rays[ray]);
       set_hit(table, row, hits[ray]);
-      table.bounce[row] = bounce;
+      table.bounce[row] = traced.in.bounce;
       table.light[row] = segment.light;
       table.pixel[row] = pixels[slots[ray] % batch.surfaces];
       table.path[row] = paths[slots[ray] % batch.surfaces];

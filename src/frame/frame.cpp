@@ -12,7 +12,7 @@
 namespace crsh {
 namespace {
 
-/// Steps 3 to 6 for the rays of one plan: created, trimmed, traced. The hits are in state.batch.hits.
+/// Steps 3 to 6 for the rays of one plan: created, trimmed, traced. The hits are in state.batch.tracing.
 const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, const surfaces::Surfaces& surfaces,
                                surfaces::Generation& generation, uint32_t bounce) {
   rays::Batch& batch = s.batch.rays;
@@ -24,7 +24,7 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
   rays::create(s.recorder, {surfaces, s.gpu_scene, plan, s.options.override_mirror, s.film.samples - 1, s.options.seed},
                s.batch.sparse, generation);
   coherence::trim(s.recorder, s.batch.trim, s.batch.sparse.rays, s.batch.sparse.flags, batch);
-  if (batch.count) trace(s, bounce, {surfaces.diffuse, surfaces.specular, plan.first_surface});
+  if (batch.count) trace_rays(s, bounce, {surfaces.diffuse, surfaces.specular, plan.first_surface});
   return batch;
 }
 
@@ -87,7 +87,7 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
   for (const rays::BatchPlan& plan : plans) {
     const rays::Batch& batch = trace_batch(s, plan, surfaces, generation, bounce);
     s.recorder.stage(Stage::shading);
-    const shading::DirectIn direct{surfaces, s.gpu_scene, plan, batch.ends, s.batch.hits};
+    const shading::DirectIn direct{surfaces, s.gpu_scene, plan, batch.ends, s.batch.tracing.hits};
     if (batch.count) shading::add_direct(s.recorder, direct, generation);
     if (batch.count && bounce == 0) add_visibilities(s, direct);
     if (!casts_closest(plan)) continue;
@@ -95,8 +95,8 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
     const uint32_t count = children.end - next.count;
     if (next.count == 0)
       surfaces::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
-    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.hits, children, surfaces}, next,
-                        s.paths.generations[bounce + 1]);
+    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces},
+                        next, s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }
 }

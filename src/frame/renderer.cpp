@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "crsh/error.h"
-#include "frame/look_inside.h"
+#include "frame/built.h"
 #include "frame/state.h"
 #include "scene/device/device_materials.h"
 
@@ -52,8 +52,8 @@ bool all_plain(const scene::Scene& scene) {
 
 /// Everything that hangs on the options and not only on the scene. Throws before anything is changed.
 void apply(Renderer::State& s, RenderOptions options) {
-  require_sound(options.algorithm);
-  if (options.algorithm.tracing == Tracing::ray_query) objects::require_ray_queries(s.device);
+  trace::require_sound(options.algorithm);
+  trace::require_device(s.device, options.algorithm);
   const std::optional<uint32_t> animation = s.scene.find_animation(options.animation);
   const scene::Pose pose = s.scene.pose(0, animation);
   const scene::Bounds bounds = s.scene.bounds(pose);
@@ -74,12 +74,12 @@ void apply(Renderer::State& s, RenderOptions options) {
   s.statistics.triangles = s.gpu_scene.triangle_count;
   s.statistics.meshes = s.scene.meshes.size();
   s.statistics.instances = s.scene.instances.size();
-  s.statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
+  s.statistics.rays = trace::empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
 }
 
 void load(Renderer::State& s) {
   s.gpu_scene = scene::upload(s.device, s.scene);
-  s.plain = all_plain(s.scene);
+  s.structures.plain = all_plain(s.scene);
   apply(s, s.options);
 }
 
@@ -90,17 +90,17 @@ void drop_lists(Renderer::State& s) {
   s.batch = {};
 }
 
-/// Fills state.dump, if any, and counts to state.frame_statistics.
+/// Fills what state.dump asks for, and counts to state.frame_statistics.
 using Frame = std::function<void()>;
 
 /// One try at a frame: counters, times and rays start from nothing, so that a second try counts nothing twice.
 void attempt(Renderer::State& s, const Frame& frame) {
   s.placing = false;
   s.frame_statistics = {};
-  s.frame_statistics.rays = empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
-  if (s.dump) *s.dump = {};
-  if (s.nodes) s.nodes->clear();
-  s.rays_seen = 0;
+  s.frame_statistics.rays = trace::empty_rows(s.options.bounces, s.gpu_scene.triangle_count);
+  if (s.dump.rays) *s.dump.rays = {};
+  if (s.dump.nodes) s.dump.nodes->clear();
+  s.dump.rays_seen = 0;
   s.counters->clear(s.recorder);
   s.recorder.submit();
   (void)s.recorder.profiler().take_milliseconds();
@@ -126,7 +126,7 @@ void attempt_in_portions(Renderer::State& s, const Frame& frame) {
 /// The least --max-memory that this frame needs, MiB: measured, by rendering it frugally without a bound.
 uint64_t least_memory(Renderer::State& s, const Frame& frame) {
   drop_lists(s);
-  s.objects = {};  // its build is measured, too
+  s.structures.objects = {};  // its build is measured, too
   s.most_pairs = frugal_pairs;
   s.device.forget_peak();
   attempt_in_portions(s, frame);
@@ -153,7 +153,8 @@ uint64_t least_memory(Renderer::State& s, const Frame& frame) {
 void finish(Renderer::State& s) {
   s.statistics.lights = s.gpu_scene.light_count;
   add(s.statistics, s.frame_statistics);
-  s.statistics.object_hierarchy = {s.objects.builds + s.device_objects.builds, s.objects.refits, s.objects.cost};
+  const objects::Hierarchy& objects = s.structures.objects;
+  s.statistics.object_hierarchy = {objects.builds + s.structures.device_objects.builds, objects.refits, objects.cost};
   s.statistics.frames.push_back(s.frame_statistics.frames.front());
   s.statistics.device_peak_bytes = std::max(s.statistics.device_peak_bytes, s.device.peak_bytes());
 }
@@ -202,20 +203,20 @@ Renderer::~Renderer() = default;
 
 Picture Renderer::render(double seconds, const Progress& progress, RayTable* dump) {
   Picture picture;
-  state_->dump = dump;
+  state_->dump.rays = dump;
   run(*state_, [&] { picture = render_frame(*state_, seconds, progress); });
   if (dump) dump->width = picture.width, dump->height = picture.height;
   return picture;
 }
 
 void Renderer::replay(const RayTable& rays, double seconds, RayTable* dump) {
-  state_->dump = dump;
+  state_->dump.rays = dump;
   run(*state_, [&] { replay_rays(*state_, rays, seconds); });
 }
 
 Picture Renderer::refine(double seconds, const Progress& progress) {
   Picture picture;
-  state_->dump = nullptr;
+  state_->dump.rays = nullptr;
   attempt(*state_, [&] { picture = refine_frame(*state_, seconds, progress); });
   finish(*state_);
   return picture;
@@ -223,7 +224,7 @@ Picture Renderer::refine(double seconds, const Progress& progress) {
 
 void Renderer::change(const RenderOptions& options) { apply(*state_, options); }
 
-void Renderer::forget_objects() { state_->objects = {}; }
+void Renderer::forget_objects() { state_->structures.objects = {}; }
 
 void Renderer::on_submit(std::function<void()> call) {
   if (!call) return state_->recorder.on_submit({});
@@ -232,9 +233,12 @@ void Renderer::on_submit(std::function<void()> call) {
   });
 }
 
-void Renderer::watch_nodes(std::vector<RayNode>* nodes) { state_->nodes = nodes; }
+void Renderer::watch_nodes(std::vector<RayNode>* nodes) { state_->dump.nodes = nodes; }
 
-std::vector<ObjectBox> Renderer::object_boxes(uint32_t depth) { return crsh::object_boxes(*state_, depth); }
+std::vector<ObjectBox> Renderer::object_boxes(uint32_t depth) {
+  if (!trace::tracer_of(state_->options.algorithm).needs.object_hierarchy) return {};
+  return crsh::object_boxes(state_->recorder, state_->structures.objects, depth);
+}
 
 const Statistics& Renderer::statistics() const { return state_->statistics; }
 const RenderOptions& Renderer::options() const { return state_->options; }

@@ -84,11 +84,11 @@ void replay_rays(Renderer::State& s, const RayTable& table, double seconds) {
     put(s.recorder, paths, data.paths, "paths");
     if (!table.key.empty())
       put(s.recorder, batch.given_keys, ranks_of_keys(table, part, batch.given_bits), "given keys");
-    trace(s, part.bounce, {pixels, paths, 0});
+    trace_rays(s, part.bounce, {pixels, paths, 0});
     rows.insert(rows.end(), part.rows.begin(), part.rows.end());
   }
   s.recorder.submit();
-  if (s.dump) restore_rows(table, rows, s.options.algorithm.keys, *s.dump);
+  if (s.dump.rays) restore_rows(table, rows, s.options.algorithm.keys, *s.dump.rays);
 }
 
 }  // namespace crsh

@@ -4,44 +4,26 @@
 #include <optional>
 #include <vector>
 
-#include "coherence/coherence.h"
 #include "coherence/trim.h"
 #include "crsh/built.h"
 #include "crsh/ray_table.h"
-#include "frame/counters.h"
 #include "frame/renderer.h"
-#include "hierarchy/account.h"
-#include "hierarchy/hierarchy.h"
-#include "intersection/intersection.h"
-#include "intersection/nodes.h"
-#include "intersection/ray_query.h"
-#include "intersection/single.h"
-#include "objects/device_hierarchy.h"
-#include "objects/hierarchy.h"
 #include "raster/raster.h"
 #include "rays/create.h"
 #include "scene/device/upload.h"
 #include "shading/film.h"
 #include "shading/gather.h"
 #include "surfaces/surfaces.h"
-#include "traversal/traversal.h"
+#include "trace/in.h"
 
 namespace crsh {
 
-/// Lists and scratch of one batch of rays after the other. All of it may be dropped between batches.
+/// One batch of rays after the other, from creation to hits. All of it may be dropped between batches.
 struct BatchBuffers {
   rays::Sparse sparse;
   rays::Batch rays;
   coherence::TrimScratch trim;
-  coherence::OrderScratch sort;
-  coherence::Order order;
-  gpu::Buffer sorted_rays, hits;
-  hierarchy::Hierarchy hierarchy;
-  gpu::Buffer sampled;  ///< scratch of hierarchy::rays_a_node
-  hierarchy::Account account;
-  traversal::Scratch traversal;
-  intersection::NodeScratch nodes;
-  intersection::SingleScratch single;
+  trace::Workspace tracing;
 };
 
 /// The surfaces of generation 0, of two later ones in turn, and what is kept of each until the gathering.
@@ -52,6 +34,13 @@ struct PathBuffers {
   [[nodiscard]] surfaces::Surfaces& surfaces(uint32_t generation) {
     return generation == 0 ? first : later[generation % 2];
   }
+};
+
+/// Who gets what of the frame under way; null: nobody.
+struct Dump {
+  RayTable* rays = nullptr;
+  std::vector<RayNode>* nodes = nullptr;
+  uint32_t rays_seen = 0;  ///< in batches that are done
 };
 
 struct Renderer::State {
@@ -67,22 +56,18 @@ struct Renderer::State {
   raster::ImageSize size;
   scene::LightRig lights;
   scene::GpuScene gpu_scene;
-  objects::Hierarchy objects;               ///< where the algorithm wants one
-  objects::DeviceHierarchy device_objects;  ///< the device's own, where the algorithm wants that
-  bool placing = false;                     ///< objects are being placed: not to be left half-way
-  bool plain = false;                       ///< every triangle blocks, from either side
-  std::optional<Counters> counters;
+  trace::Structures structures;
+  bool placing = false;  ///< objects are being placed: not to be left half-way
+  std::optional<trace::Counters> counters;
   raster::GBuffer gbuffer;
   PathBuffers paths;
   BatchBuffers batch;
   shading::Film film;
-  uint32_t portion = 1u << 20;            ///< pixels that are traced together
-  uint64_t most_pairs = 0;                ///< of a candidate list; 0: as memory allows
-  Statistics statistics;                  ///< of all finished frames
-  Statistics frame_statistics;            ///< of the frame under way
-  uint32_t rays_seen = 0;                 ///< in batches of the frame under way that are done
-  RayTable* dump = nullptr;               ///< gets the rays of the frame under way
-  std::vector<RayNode>* nodes = nullptr;  ///< gets the nodes over the rays of the frame under way
+  uint32_t portion = 1u << 20;  ///< pixels that are traced together
+  uint64_t most_pairs = 0;      ///< of a candidate list; 0: as memory allows
+  Statistics statistics;        ///< of all finished frames
+  Statistics frame_statistics;  ///< of the frame under way
+  Dump dump;
   std::vector<std::string> notes;
 };
 

@@ -8,19 +8,8 @@ namespace crsh {
 /// Step 1 (section 3.2.1): objects, their bounds and the hierarchy over them as they stand in this pose.
 void place_objects(Renderer::State& state, const scene::Pose& pose);
 
-/// What meets the scene: as the options say, but single rays in place of nodes where the object hierarchy holds so
-/// little, or all rays of the batch are so scattered, that sorting would cost more than it saves.
-[[nodiscard]] Tracing tracing_of(const Renderer::State& state);
-
-/// Whose rays a batch holds: the pixel and path of each slot's surface, as surfaces::Surfaces have them.
-struct RayNames {
-  const gpu::Buffer& pixels;   ///< vec4 a surface, w: bits of the pixel
-  const gpu::Buffer& paths;    ///< vec4 a surface, w: bits of the path
-  uint32_t first_surface = 0;  ///< of the batch: slot 0 of each segment
-};
-
-/// Sorts, bundles and traces the rays of state.batch.rays, of generation `bounce`; their hits are then in
-/// state.batch.hits, their counts in state.frame_statistics and on the device.
-void trace(Renderer::State& state, uint32_t bounce, const RayNames& names);
+/// Steps 4 to 6: sorts, bundles and traces the rays of state.batch.rays, of generation `bounce`. Their hits are then in
+/// state.batch.tracing, their counts in state.frame_statistics and on the device.
+void trace_rays(Renderer::State& state, uint32_t bounce, const trace::RayNames& names);
 
 }  // namespace crsh

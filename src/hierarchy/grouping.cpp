@@ -15,11 +15,8 @@ using primitives::quad_bytes;
 /// Groups for the object hierarchy end where level-1 nodes are so many times farther apart than their rays may be.
 constexpr float group_scale = 4;
 
-/// Whether nodes of this level end where coherence ends. Above level 1 only groups for the object hierarchy do: others
-/// are tested against the whole scene, and there would be too many of them.
-bool is_cut(const AlgorithmOptions& options, uint32_t index) {
-  return options.nodes == NodeCut::cut && (index == 0 || options.object_hierarchy);
-}
+/// Whether nodes of this level end where coherence ends.
+bool is_cut(const In& in, uint32_t index) { return in.options.nodes == NodeCut::cut && (index == 0 || in.cut_groups); }
 
 /// Children of a level, all segments together.
 uint32_t count_children(const std::vector<Range>& below) {
@@ -47,7 +44,7 @@ void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>
   level.segments.clear();
   level.count = 0;
   for (size_t s = 0; s < below.size(); ++s) {
-    const bool has_level = wanted_levels(in.segments[s], in.options) > index;
+    const bool has_level = wanted_levels(in, s) > index;
     const uint32_t count = has_level ? (below[s].count + in.options.arity - 1) / in.options.arity : 0;
     level.segments.push_back({level.count, count});
     level.count += count;
@@ -75,7 +72,7 @@ void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>&
   grow(recorder, out.levels[index].children, sizeof(glm::uvec2), "ranges of children");
   const CutLimits limits = cut_limits(in.options, in.extent, index);
   for (size_t s = 0; s < below.size(); ++s) {
-    if (wanted_levels(in.segments[s], in.options) <= index) {
+    if (wanted_levels(in, s) <= index) {
       recorder.fill(out.cut.heads, 0, below[s].count, below[s].first);
       continue;
     }
@@ -134,8 +131,9 @@ CutLimits cut_limits(const AlgorithmOptions& options, float extent, uint32_t ind
   return {angle < 3 ? 2 * std::sin(angle / 2) : 2.5f, options.cut_distance * scale * extent};
 }
 
-uint32_t wanted_levels(const rays::Segment& segment, const AlgorithmOptions& options) {
-  return segment.count == 0 || segment.alone ? 0 : options.levels[segment.kind];
+uint32_t wanted_levels(const In& in, size_t s) {
+  const bool none = in.segments[s].count == 0 || (!in.without_nodes.empty() && in.without_nodes[s]);
+  return none ? 0 : in.options.levels[in.segments[s].kind];
 }
 
 void group(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
@@ -143,7 +141,7 @@ void group(gpu::Recorder& recorder, const In& in, const std::vector<Range>& belo
   level.child_segments = below;
   level.most_children = in.options.arity;
   level.cut_children.clear();
-  is_cut(in.options, index) ? group_cut(recorder, in, below, index, out) : group_fixed(recorder, in, below, index, out);
+  is_cut(in, index) ? group_cut(recorder, in, below, index, out) : group_fixed(recorder, in, below, index, out);
 }
 
 }  // namespace crsh::hierarchy

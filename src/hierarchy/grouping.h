@@ -12,8 +12,8 @@ struct CutLimits {
 /// Of the nodes of levels[index]; `extent` is the longest edge of the scene's bounds, metres.
 [[nodiscard]] CutLimits cut_limits(const AlgorithmOptions& options, float extent, uint32_t index);
 
-/// Levels that a segment's rays get.
-[[nodiscard]] uint32_t wanted_levels(const rays::Segment& segment, const AlgorithmOptions& options);
+/// Levels that the rays of the `s`th segment get.
+[[nodiscard]] uint32_t wanted_levels(const In& in, size_t s);
 
 /// Groups the children in `below` (a range a segment: rays for index 0, else nodes of level index - 1) into the nodes
 /// of out.levels[index], which gets its counts, ranges and parents; bounds are not filled. Where nodes are cut, submits

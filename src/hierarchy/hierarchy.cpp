@@ -27,7 +27,7 @@ uint32_t declared(const std::string& bound, uint32_t constant_id) {
 
 uint32_t depth_of(const In& in) {
   uint32_t depth = 0;
-  for (const rays::Segment& segment : in.segments) depth = std::max(depth, wanted_levels(segment, in.options));
+  for (size_t s = 0; s < in.segments.size(); ++s) depth = std::max(depth, wanted_levels(in, s));
   return depth;
 }
 

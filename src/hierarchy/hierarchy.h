@@ -66,6 +66,8 @@ struct In {
   const AlgorithmOptions& options;
   bool narrow_cones = false;                              ///< test-only mutation
   float extent = std::numeric_limits<float>::infinity();  ///< longest edge of the scene's bounds, metres (cut_distance)
+  bool cut_groups = false;  ///< where nodes are cut, those above level 1 are, too: groups for the object hierarchy
+  std::vector<bool> without_nodes = {};  ///< by segment; empty: all segments get nodes
 };
 
 /// Builds up to max(options.levels) levels; segments whose kind wants fewer have no nodes above. Records, may submit.

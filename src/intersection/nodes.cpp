@@ -35,9 +35,7 @@ class Nodes {
       traversal::walk_groups(recorder_, in_.traversal, in_.objects, some, scratch_.frontiers);
       walk(in_.traversal.hierarchy.levels[1].children_of(some), some);
     }
-    const traversal::In& t = in_.traversal;
-    intersect_left(recorder_, {t.scene, in_.batch, in_.hits, t.counters, t.counter_row, t.submit_work, t.account},
-                   in_.objects, segment_, single_);
+    intersect_left(recorder_, in_, in_.objects, segment_, single_);
   }
 
  private:

@@ -13,12 +13,11 @@ struct NodeScratch {
   gpu::Buffer frontiers;
 };
 
-struct NodesIn {
+/// Of the rays, whose hits are written, and of the nodes over them.
+struct NodesIn : In {
   const traversal::In& traversal;
-  const objects::Hierarchy& objects;  ///< over the scene as it is now
-  const rays::Batch& batch;
+  const objects::Hierarchy& objects;       ///< over the scene as it is now
   const gpu::Buffer &sorted_rays, &order;  ///< by sorted position
-  const gpu::Buffer& hits;                 ///< shared::Hit a ray, in creation order: written
 };
 
 /// All rays of the batch's segment. Submits, and waits.

@@ -15,7 +15,6 @@ struct Segment {
   uint32_t kind = 0;              ///< shared::kind_*
   uint32_t light = 0;             ///< where there is one a light: its index
   uint32_t first = 0, count = 0;  ///< rays, in creation order after trimming; sorting keeps the segment's place
-  bool alone = false;             ///< too scattered for nodes: they go one by one through the object hierarchy
   bool shares_origin = ray_kinds[kind].shares_origin;  ///< all begin at one place
 };
 

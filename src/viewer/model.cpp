@@ -9,6 +9,7 @@
 #include "raster/camera.h"
 #include "scene/device/world_lights.h"
 #include "scene/hide.h"
+#include "trace/tracers.h"
 
 namespace crsh::viewer {
 namespace {
@@ -162,6 +163,8 @@ double Model::exposure() const {
 
 bool Model::moving() const { return playing || Clock::now() - moved < rests_after; }
 
+bool Model::has_object_hierarchy() const { return trace::tracer_of(command.options.algorithm).needs.object_hierarchy; }
+
 Wish Model::wish() const {
   Wish wish;
   wish.path = path;
@@ -177,7 +180,7 @@ Wish Model::wish() const {
   if (exr_wanted) options.layers.add(command.options.layers);
   if (own_view) options.view = camera.view(), options.camera.clear();
   const bool order = left.show == Show::order || (split && right.show == Show::order);
-  const bool boxes = show_bounds && command.options.algorithm.object_hierarchy;
+  const bool boxes = show_bounds && has_object_hierarchy();
   if (order || show_nodes || boxes) wish.inspect_kind = inspect_kind;
   wish.seconds = seconds;
   wish.moving = moving();

@@ -68,6 +68,8 @@ struct Model {
   [[nodiscard]] float aspect() const { return area.height ? float(area.width) / float(area.height) : 1; }
   /// The algorithms differ, so that two pictures are needed.
   [[nodiscard]] bool two_pictures() const { return split && !(other == command.options.algorithm); }
+  /// The algorithm's rays go through one, whose boxes can be shown.
+  [[nodiscard]] bool has_object_hierarchy() const;
   [[nodiscard]] std::optional<uint32_t> animation() const;
 
   void say(const std::string& text, bool error = false);

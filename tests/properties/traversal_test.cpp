@@ -272,7 +272,7 @@ TEST_CASE("with cones or slabs 1% too narrow a ray is lost") {
       options.algorithm.fit = fit;
       options.algorithm.bound = bound;
       CHECK(different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
-      options.narrow_cones = true;
+      options.mutation = "narrow-cones";
       CHECK(!different_hits(tracer.trace(world.scene, world.rays, options), all).empty());
     }
 }
@@ -297,6 +297,6 @@ TEST_CASE("with every 10,000th pair dropped a hit is lost") {
   const Traced whole = tracer.trace(scene, batch, options);
   CHECK(whole.pairs.size() >= 40'000);
   CHECK(count_hits(whole) == rays.size());
-  options.drop_every = 10'000;
+  options.mutation = "dropped-pairs";
   CHECK(!different_hits(tracer.trace(scene, batch, options), whole).empty());
 }

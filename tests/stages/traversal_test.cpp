@@ -143,6 +143,16 @@ TEST_CASE("buffers that begin with 1 or 64 bytes give the same pairs, counters a
   }
 }
 
+TEST_CASE("the table's tracer of nodes over meshes takes the same steps") {
+  Place place(device());
+  TraceOptions options{preset("crsh-2017")};
+  options.submit_work = 1 << 16;
+  const Traced steps = place.tracer.trace(place.scene, place.rays, options),
+               row = place.tracer.trace_by_table(place.scene, place.rays, options);
+  CHECK(steps.hits == row.hits);
+  CHECK(steps.counters == row.counters);
+}
+
 TEST_CASE("lanes that walk alone give the same pairs, counters and hits as those that walk together") {
   Place place(device());
   gpu::DeviceRequest wanted = request();

@@ -86,6 +86,7 @@ SortedBatch make_batch(gpu::Device& device, const std::vector<std::vector<shared
   out.batch.rays = gpu::upload(device, created, "rays");
   out.sorted = gpu::upload(device, out.sorted_rays, "sorted rays");
   out.order = gpu::upload(device, order, "order");
+  out.order_of_rays = std::move(order);
   return out;
 }
 
@@ -93,46 +94,61 @@ uint64_t Traced::counter(uint32_t kind, uint32_t which) const {
   return counters[kind * shared::counters_per_row + which];
 }
 
-void Tracer::begin(const SortedBatch& rays) {
-  gpu::Device& device = recorder_.device();
-  hits_.reserve(device, std::max(rays.batch.count, 1u) * sizeof(shared::Hit), "hits");
-  counters_.reserve(device, kind_count * shared::counters_per_row * sizeof(uint64_t), "counters");
-  recorder_.fill(counters_, 0, kind_count * shared::counters_per_row * 2);
-  intersection::clear(recorder_, rays.batch, hits_);
+trace::In Tracer::begin(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options) {
+  workspace_.hits.reserve(recorder_.device(), std::max(rays.batch.count, 1u) * sizeof(shared::Hit), "hits");
+  counters_.clear(recorder_);
+  intersection::clear(recorder_, rays.batch, workspace_.hits);
+  options_.algorithm = options.algorithm;
+  options_.submit_work = options.submit_work;
+  options_.mutation = options.mutation.empty() ? std::nullopt : std::optional(options.mutation);
+  return {.scene = scene,
+          .structures = structures_,
+          .batch = rays.batch,
+          .names = {rays.batch.rays, rays.batch.rays},  // whose rays these are makes no difference to a tracer
+          .options = options_,
+          .counters = counters_,
+          .workspace = workspace_};
+}
+
+void Tracer::bundle(const SortedBatch& rays, const TraceOptions& options) {
+  trace::Bundle& bundle = workspace_.bundle;
+  bundle.sorted_rays = gpu::upload(recorder_.device(), rays.sorted_rays, "sorted rays");
+  bundle.order.order = gpu::upload(recorder_.device(), rays.order_of_rays, "order");
+  hierarchy::build(recorder_,
+                   {.sorted_rays = bundle.sorted_rays,
+                    .segments = rays.batch.segments,
+                    .options = options.algorithm,
+                    .narrow_cones = options.mutation == "narrow-cones",
+                    .extent = options.extent,
+                    .cut_groups = trace::tracer_of(options.algorithm).needs.object_hierarchy},
+                   bundle.hierarchy);
 }
 
 Traced Tracer::result(const SortedBatch& rays) {
   Traced traced;
-  traced.hits = recorder_.read<glm::uvec4>(hits_, rays.batch.count);
-  traced.counters = recorder_.read<uint64_t>(counters_, kind_count * shared::counters_per_row);
+  traced.hits = recorder_.read<glm::uvec4>(workspace_.hits, rays.batch.count);
+  traced.counters = recorder_.read<uint64_t>(counters_.buffer(), kind_count * shared::counters_per_row);
   return traced;
 }
 
 Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options) {
-  begin(rays);
-  hierarchy::build(recorder_, {rays.sorted, rays.batch.segments, options.algorithm, options.narrow_cones}, hierarchy_);
+  const trace::In in = begin(scene, rays, options);
+  bundle(rays, options);
+  const trace::Bundle& bundle = workspace_.bundle;
   std::vector<shared::HitPair> pairs;
   uint32_t portions = 0;
   for (size_t s = 0; s < rays.batch.segments.size(); ++s) {
-    const rays::Segment& segment = rays.batch.segments[s];
-    if (segment.count == 0) continue;
-    const uint32_t row = segment.kind * shared::counters_per_row, depth = options.algorithm.levels[segment.kind];
-    const traversal::In in{.hierarchy = hierarchy_,
-                           .scene = scene,
-                           .options = options.algorithm,
-                           .counters = counters_,
-                           .counter_row = row,
-                           .submit_work = options.submit_work,
-                           .drop_every = options.drop_every};
-    traversal::traverse(recorder_, in, depth, hierarchy_.levels[depth - 1].segments[s], scratch_,
-                        [&](const traversal::Candidates& candidates) {
-                          const auto part = recorder_.read<shared::HitPair>(candidates.pairs, candidates.count);
-                          ++portions;
-                          pairs.insert(pairs.end(), part.begin(), part.end());
-                          intersection::intersect(recorder_,
-                                                  {scene, rays.batch, hits_, counters_, row, options.submit_work},
-                                                  hierarchy_, rays.sorted, rays.order, candidates);
-                        });
+    const uint32_t kind = rays.batch.segments[s].kind, depth = options.algorithm.levels[kind];
+    if (rays.batch.segments[s].count == 0) continue;
+    const intersection::In of_rays = trace::intersection_in(in, kind);
+    const auto take = [&](const traversal::Candidates& candidates) {
+      const auto part = recorder_.read<shared::HitPair>(candidates.pairs, candidates.count);
+      ++portions;
+      pairs.insert(pairs.end(), part.begin(), part.end());
+      intersection::intersect(recorder_, of_rays, bundle.hierarchy, bundle.sorted_rays, bundle.order.order, candidates);
+    };
+    traversal::traverse(recorder_, trace::traversal_in(in, kind), depth, bundle.hierarchy.levels[depth - 1].segments[s],
+                        scratch_, take);
   }
   Traced traced = result(rays);
   traced.pairs = std::move(pairs);
@@ -140,46 +156,30 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
   return traced;
 }
 
-Traced Tracer::trace_all(const scene::GpuScene& scene, const SortedBatch& rays, uint64_t submit_work) {
-  begin(rays);
-  for (const rays::Segment& segment : rays.batch.segments)
-    intersection::intersect_all(
-        recorder_, {scene, rays.batch, hits_, counters_, segment.kind * shared::counters_per_row, submit_work},
-        segment);
+Traced Tracer::trace_by_table(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options) {
+  const trace::Tracer& tracer = trace::tracer_of(options.algorithm);
+  recorder_.submit();
+  structures_ = {};  // of another scene
+  trace::place(recorder_, {scene, {}, options.submit_work}, tracer.needs, structures_);
+  const trace::In in = begin(scene, rays, options);
+  if (tracer.needs.sorted_rays) bundle(rays, options);
+  trace::Segments all(rays.batch.segments.size());
+  std::iota(all.begin(), all.end(), size_t(0));
+  trace::run(recorder_, in, tracer, all);
   return result(rays);
+}
+
+Traced Tracer::trace_all(const scene::GpuScene& scene, const SortedBatch& rays, uint64_t submit_work) {
+  return trace_by_table(scene, rays, {preset("brute"), submit_work});
 }
 
 Traced Tracer::trace_single(const scene::GpuScene& scene, const SortedBatch& rays, uint64_t submit_work) {
-  objects::Hierarchy objects;
-  objects::update(recorder_, {scene, {}, submit_work}, objects);
-  begin(rays);
-  for (const rays::Segment& segment : rays.batch.segments)
-    intersection::intersect_single(
-        recorder_, {scene, rays.batch, hits_, counters_, segment.kind * shared::counters_per_row, submit_work}, objects,
-        segment, single_);
-  return result(rays);
+  return trace_by_table(scene, rays, {preset("bvh"), submit_work});
 }
 
-Traced Tracer::trace_objects(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options) {
-  objects::Hierarchy objects;
-  objects::update(recorder_, {scene, {}, options.submit_work}, objects);
-  AlgorithmOptions algorithm = options.algorithm;
-  algorithm.object_hierarchy = true;
-  begin(rays);
-  hierarchy::build(recorder_, {rays.sorted, rays.batch.segments, algorithm, options.narrow_cones, options.extent},
-                   hierarchy_);
-  for (size_t s = 0; s < rays.batch.segments.size(); ++s) {
-    const traversal::In in{.hierarchy = hierarchy_,
-                           .scene = scene,
-                           .options = algorithm,
-                           .counters = counters_,
-                           .counter_row = rays.batch.segments[s].kind * shared::counters_per_row,
-                           .submit_work = options.submit_work,
-                           .drop_every = options.drop_every};
-    intersection::intersect_nodes(recorder_, {in, objects, rays.batch, rays.sorted, rays.order, hits_}, s, nodes_,
-                                  single_);
-  }
-  return result(rays);
+Traced Tracer::trace_objects(const scene::GpuScene& scene, const SortedBatch& rays, TraceOptions options) {
+  options.algorithm.tracer = "object-nodes";
+  return trace_by_table(scene, rays, options);
 }
 
 std::vector<uint32_t> different_hits(const Traced& a, const Traced& b) {

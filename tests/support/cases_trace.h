@@ -9,15 +9,11 @@
 
 #include "crsh/options.h"
 #include "gpu/recorder.h"
-#include "hierarchy/hierarchy.h"
-#include "intersection/nodes.h"
-#include "intersection/single.h"
-#include "objects/hierarchy.h"
 #include "rays/batch.h"
 #include "scene/device/upload.h"
 #include "shared/node.h"
 #include "support/cases.h"
-#include "traversal/traversal.h"
+#include "trace/in.h"
 
 namespace crsh::test {
 
@@ -37,6 +33,7 @@ struct SortedBatch {
   rays::Batch batch;
   gpu::Buffer sorted, order;
   std::vector<shared::Ray> sorted_rays;
+  std::vector<uint32_t> order_of_rays;  ///< as `order` has it
 };
 
 /// A segment for each list; all rays of a list are of one kind. `random`, if any, shuffles the order within segments.
@@ -46,8 +43,7 @@ struct SortedBatch {
 struct TraceOptions {
   AlgorithmOptions algorithm;
   uint64_t submit_work = uint64_t(1) << 26;
-  bool narrow_cones = false;
-  uint32_t drop_every = 0;
+  std::string mutation = {};                              ///< "narrow-cones", "dropped-pairs"
   float extent = std::numeric_limits<float>::infinity();  ///< metres; cut_distance is a share of it
 };
 
@@ -59,13 +55,17 @@ struct Traced {
   [[nodiscard]] uint64_t counter(uint32_t kind, uint32_t which) const;
 };
 
-/// Keeps its buffers between calls, as a frame does.
+/// Runs rows of the table of tracers, with a sort and an object hierarchy of its own. Keeps its buffers between calls,
+/// as a frame does.
 class Tracer {
  public:
-  explicit Tracer(gpu::Device& device) : recorder_(device) {}
+  explicit Tracer(gpu::Device& device) : recorder_(device), counters_(device, 0) {}
 
-  /// Through the hierarchy.
+  /// Nodes against all triangles, by traversal and intersection themselves, so that candidates can be looked at.
   [[nodiscard]] Traced trace(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options);
+  /// By the tracer that the algorithm names. Nodes are built over the rays as `rays` has them sorted.
+  [[nodiscard]] Traced trace_by_table(const scene::GpuScene& scene, const SortedBatch& rays,
+                                      const TraceOptions& options);
   /// Every ray against every triangle.
   [[nodiscard]] Traced trace_all(const scene::GpuScene& scene, const SortedBatch& rays,
                                  uint64_t submit_work = uint64_t(1) << 26);
@@ -75,23 +75,25 @@ class Tracer {
                                     uint64_t submit_work = uint64_t(1) << 26);
 
   /// Nodes of one or two levels through an object hierarchy.
-  [[nodiscard]] Traced trace_objects(const scene::GpuScene& scene, const SortedBatch& rays,
-                                     const TraceOptions& options);
+  [[nodiscard]] Traced trace_objects(const scene::GpuScene& scene, const SortedBatch& rays, TraceOptions options);
 
   [[nodiscard]] gpu::Recorder& recorder() { return recorder_; }
   /// As the last trace() built it.
-  [[nodiscard]] const hierarchy::Hierarchy& hierarchy() const { return hierarchy_; }
+  [[nodiscard]] const hierarchy::Hierarchy& hierarchy() const { return workspace_.bundle.hierarchy; }
 
  private:
-  void begin(const SortedBatch& rays);
+  /// What the batch is traced with; counters are 0, and no ray has hit anything. Valid until the next call.
+  [[nodiscard]] trace::In begin(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options);
+  /// Makes the workspace hold the batch's sorted rays and nodes over them.
+  void bundle(const SortedBatch& rays, const TraceOptions& options);
   [[nodiscard]] Traced result(const SortedBatch& rays);
 
   gpu::Recorder recorder_;
-  hierarchy::Hierarchy hierarchy_;
+  trace::Counters counters_;
+  trace::Structures structures_;
+  trace::Workspace workspace_;
   traversal::Scratch scratch_;
-  intersection::NodeScratch nodes_;
-  intersection::SingleScratch single_;
-  gpu::Buffer hits_, counters_;
+  RenderOptions options_;
 };
 
 /// The rays whose hits differ.

@@ -28,9 +28,8 @@ struct Parsed {
 };
 
 TEST_CASE("the presets are those of the design") {
-  CHECK(preset("brute").tracing == Tracing::brute);
-  CHECK(preset("bvh").tracing == Tracing::single_rays);
-  CHECK(preset("bvh").object_hierarchy);
+  CHECK(preset("brute").tracer == "brute");
+  CHECK(preset("bvh").tracer == "single-rays");
   const AlgorithmOptions rah = preset("rah");
   CHECK(rah.keys[0].empty());
   CHECK(rah.ray_order == RayOrder::tiles);
@@ -58,19 +57,6 @@ TEST_CASE("the presets are those of the design") {
   }
   CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh, crsh-bvh, ray-query"),
                        UserError);
-}
-
-TEST_CASE("nodes go through the object hierarchy on one or two levels") {
-  AlgorithmOptions options = preset("crsh-bvh");
-  CHECK(options.object_hierarchy);
-  CHECK_NOTHROW(require_sound(options));
-  options.levels = test::in_turn<uint32_t>({1, 2});
-  CHECK_NOTHROW(require_sound(options));
-  options.levels = test::in_turn<uint32_t>({2, 3});
-  CHECK_THROWS_WITH_AS(require_sound(options), Contains("--levels 2"), UserError);
-  options = preset("crsh");
-  options.levels.fill(8);
-  CHECK_NOTHROW(require_sound(options));
 }
 
 TEST_CASE("the default algorithm is crsh-bvh") {

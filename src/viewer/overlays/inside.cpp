@@ -128,7 +128,7 @@ void draw_bounds(const Pen& pen, const Model& model) {
   const scene::Scene& scene = *model.scene();
   const scene::Pose pose = scene.pose(model.left.shown->seconds, model.animation());
   const auto hidden = scene::hidden_instances(scene, model.command.options.hidden);
-  const bool boxes = model.command.options.algorithm.object_hierarchy && model.left.inside &&
+  const bool boxes = model.has_object_hierarchy() && model.left.inside &&
                      !model.left.inside->boxes.empty();  // else they may be those of an algorithm chosen before
   for (size_t i = 0; !boxes && i < scene.instances.size(); ++i) {
     if (hidden[i]) continue;

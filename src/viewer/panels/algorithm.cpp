@@ -7,6 +7,7 @@
 #include "cli/values.h"
 #include "crsh/error.h"
 #include "crsh/kinds.h"
+#include "trace/tracers.h"
 #include "viewer/panels/panels.h"
 
 namespace crsh::viewer {
@@ -74,8 +75,8 @@ void draw_option(Model& model, Widgets& widgets, const Option& option) {
     set(model, option, cli::text_of(cli::json_of(real)));
 }
 
-/// Which levels there are, where there are any.
-bool has_switches(const AlgorithmOptions& algorithm) { return algorithm.tracing == Tracing::nodes; }
+/// Whether keys, nodes and levels matter to what the algorithm traces with.
+bool has_switches(const AlgorithmOptions& algorithm) { return trace::tracer_of(algorithm).needs.sorted_rays; }
 
 }  // namespace
 

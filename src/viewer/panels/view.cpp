@@ -54,7 +54,7 @@ void choose_inside(Model& model, Widgets& widgets) {
     if (widgets.whole("of level", "of level", level, 1, 8)) model.nodes_level = uint32_t(level);
     widgets.check("all nodes", "all, not only under the cursor", model.nodes_of_all);
   }
-  if (model.show_bounds && model.command.options.algorithm.object_hierarchy) {
+  if (model.show_bounds && model.has_object_hierarchy()) {
     int depth = int(model.box_depth);
     if (widgets.whole("box depth", "Boxes at depth", depth, 1, 8)) model.box_depth = uint32_t(depth);
   }

@@ -3,14 +3,11 @@
 
 #include <cstdint>
 
-#include "coherence/coherence.h"
 #include "crsh/statistics.h"
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
-#include "hierarchy/hierarchy.h"
-#include "rays/batch.h"
 
-namespace crsh {
+namespace crsh::trace {
 
 /// 64-bit counters in two words each (shaders/shared/counters.h).
 class Counters {
@@ -34,8 +31,4 @@ class Counters {
 /// Empty rows for every bounce and kind that `bounces` allows.
 [[nodiscard]] std::vector<RayStatistics> empty_rows(uint32_t bounces, uint64_t triangles);
 
-/// Adds what the host knows of a batch: rays, brute force's product, chunks, nodes of each level and their means.
-void add_batch(gpu::Recorder& recorder, const rays::Batch& batch, const coherence::Order& order,
-               hierarchy::Hierarchy& hierarchy, uint32_t bounce, Statistics& statistics);
-
-}  // namespace crsh
+}  // namespace crsh::trace

@@ -1,4 +1,4 @@
-#include "frame/look_inside.h"
+#include "frame/built.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,28 +24,27 @@ RayNode node_of(const shared::Node& outline) {
 
 }  // namespace
 
-void dump_nodes(Renderer::State& s, uint32_t bounce, uint32_t first_ray, std::vector<RayNode>& nodes) {
-  const rays::Batch& batch = s.batch.rays;
-  for (uint32_t l = 0; l < s.batch.hierarchy.depth; ++l) {
-    const hierarchy::Level& level = s.batch.hierarchy.levels[l];
-    const std::vector<shared::Node> outlines = hierarchy::outlines(s.recorder, s.batch.hierarchy, l);
-    const auto ranges = s.recorder.read<glm::uvec2>(level.rays, level.count);
-    for (size_t segment = 0; segment < batch.segments.size(); ++segment)
-      for (uint32_t n = level.segments[segment].first; n < level.segments[segment].end(); ++n) {
+void dump_nodes(gpu::Recorder& recorder, const trace::Traced& traced, uint32_t first_ray, std::vector<RayNode>& nodes) {
+  const std::vector<rays::Segment>& segments = traced.in.batch.segments;
+  for (uint32_t l = 0; l < traced.depth(); ++l) {
+    const hierarchy::Level& level = traced.hierarchy().levels[l];
+    const std::vector<shared::Node> outlines = hierarchy::outlines(recorder, traced.bundle->hierarchy, l);
+    const auto ranges = recorder.read<glm::uvec2>(level.rays, level.count);
+    for (size_t s = 0; s < segments.size(); ++s)
+      for (uint32_t n = level.segments[s].first; n < level.segments[s].end(); ++n) {
         RayNode& node = nodes.emplace_back(node_of(outlines[n]));
-        node.kind = batch.segments[segment].kind, node.light = batch.segments[segment].light;
-        node.bounce = bounce, node.level = l + 1;
+        node.kind = segments[s].kind, node.light = segments[s].light;
+        node.bounce = traced.in.bounce, node.level = l + 1;
         node.first = first_ray + ranges[n].x, node.end = first_ray + ranges[n].y;
       }
   }
 }
 
-std::vector<ObjectBox> object_boxes(Renderer::State& s, uint32_t depth) {
+std::vector<ObjectBox> object_boxes(gpu::Recorder& recorder, const objects::Hierarchy& objects, uint32_t depth) {
   std::vector<ObjectBox> boxes;
-  const objects::Hierarchy& h = s.objects;
-  if (!s.options.algorithm.object_hierarchy || h.node_count == 0) return boxes;
-  const auto low = s.recorder.read<glm::vec4>(h.box_low, 2 * uint64_t(h.node_count));
-  const auto high = s.recorder.read<glm::vec4>(h.box_high, 2 * uint64_t(h.node_count));
+  if (objects.node_count == 0) return boxes;
+  const auto low = recorder.read<glm::vec4>(objects.box_low, 2 * uint64_t(objects.node_count));
+  const auto high = recorder.read<glm::vec4>(objects.box_high, 2 * uint64_t(objects.node_count));
   std::vector<uint32_t> nodes = {0}, next;
   for (uint32_t d = 1; d <= depth; ++d, nodes = std::exchange(next, {}))
     for (const uint32_t node : nodes)
