@@ -37,9 +37,9 @@ TEST_CASE("tracers have names of their own, by which they are found") {
 TEST_CASE("every tracer runs, with a scratch of its own") {
   for (const Tracer& tracer : trace::tracers()) {
     CAPTURE(tracer.name);
-    REQUIRE(tracer.run != nullptr);
-    REQUIRE(tracer.scratch != nullptr);
-    CHECK(tracer.scratch() != nullptr);
+    REQUIRE(bool(tracer.run));
+    REQUIRE(bool(tracer.scratch));
+    CHECK(tracer.scratch().get() != nullptr);
     CHECK(tracer.scratch() != tracer.scratch());
   }
 }
