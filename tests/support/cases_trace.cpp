@@ -110,18 +110,22 @@ trace::In Tracer::begin(const scene::GpuScene& scene, const SortedBatch& rays, c
           .workspace = workspace_};
 }
 
-void Tracer::bundle(const SortedBatch& rays, const TraceOptions& options) {
-  trace::Bundle& bundle = workspace_.bundle;
-  bundle.sorted_rays = gpu::upload(recorder_.device(), rays.sorted_rays, "sorted rays");
-  bundle.order.order = gpu::upload(recorder_.device(), rays.order_of_rays, "order");
+void Tracer::build_nodes(const gpu::Buffer& sorted_rays, const SortedBatch& rays, const TraceOptions& options) {
   hierarchy::build(recorder_,
-                   {.sorted_rays = bundle.sorted_rays,
+                   {.sorted_rays = sorted_rays,
                     .segments = rays.batch.segments,
                     .options = options.algorithm,
                     .narrow_cones = options.mutation == "narrow-cones",
                     .extent = options.extent,
                     .cut_groups = trace::tracer_of(options.algorithm).needs.object_hierarchy},
-                   bundle.hierarchy);
+                   workspace_.bundle.hierarchy);
+}
+
+void Tracer::bundle(const SortedBatch& rays, const TraceOptions& options) {
+  trace::Bundle& bundle = workspace_.bundle;
+  bundle.sorted_rays = gpu::upload(recorder_.device(), rays.sorted_rays, "sorted rays");
+  bundle.order.order = gpu::upload(recorder_.device(), rays.order_of_rays, "order");
+  build_nodes(bundle.sorted_rays, rays, options);
 }
 
 Traced Tracer::result(const SortedBatch& rays) {
@@ -133,8 +137,7 @@ Traced Tracer::result(const SortedBatch& rays) {
 
 Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options) {
   const trace::In in = begin(scene, rays, options);
-  bundle(rays, options);
-  const trace::Bundle& bundle = workspace_.bundle;
+  build_nodes(rays.sorted, rays, options);
   std::vector<shared::HitPair> pairs;
   uint32_t portions = 0;
   for (size_t s = 0; s < rays.batch.segments.size(); ++s) {
@@ -145,9 +148,9 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
       const auto part = recorder_.read<shared::HitPair>(candidates.pairs, candidates.count);
       ++portions;
       pairs.insert(pairs.end(), part.begin(), part.end());
-      intersection::intersect(recorder_, of_rays, bundle.hierarchy, bundle.sorted_rays, bundle.order.order, candidates);
+      intersection::intersect(recorder_, of_rays, hierarchy(), rays.sorted, rays.order, candidates);
     };
-    traversal::traverse(recorder_, trace::traversal_in(in, kind), depth, bundle.hierarchy.levels[depth - 1].segments[s],
+    traversal::traverse(recorder_, trace::traversal_in(in, kind), depth, hierarchy().levels[depth - 1].segments[s],
                         scratch_, take);
   }
   Traced traced = result(rays);

@@ -84,6 +84,7 @@ class Tracer {
  private:
   /// What the batch is traced with; counters are 0, and no ray has hit anything. Valid until the next call.
   [[nodiscard]] trace::In begin(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options);
+  void build_nodes(const gpu::Buffer& sorted_rays, const SortedBatch& rays, const TraceOptions& options);
   /// Makes the workspace hold the batch's sorted rays and nodes over them.
   void bundle(const SortedBatch& rays, const TraceOptions& options);
   [[nodiscard]] Traced result(const SortedBatch& rays);
