@@ -15,6 +15,13 @@ hierarchy::WantedTests wanted_tests(const shading::Film& film) {
   return wanted;
 }
 
+trace::TestsByPixel tests_by_pixel(const shading::Film& film, const hierarchy::WantedTests& wanted) {
+  trace::TestsByPixel tests{};
+  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
+    if (wanted[kind]) tests[kind] = &film.of(shading::layer_of_tests(kind));
+  return tests;
+}
+
 /// Hands the rays and nodes of the batch to whoever asked for them.
 void dump(gpu::Recorder& recorder, const trace::Traced& traced, Dump& to) {
   if (to.nodes) dump_nodes(recorder, traced, to.rays_seen, *to.nodes);
@@ -31,6 +38,7 @@ void place_objects(Renderer::State& s, const scene::Pose& pose) {
 }
 
 void trace_rays(Renderer::State& s, uint32_t bounce, const trace::RayNames& names) {
+  const hierarchy::WantedTests wanted = wanted_tests(s.film);
   const trace::Traced traced = trace::trace(s.recorder, {.scene = s.gpu_scene,
                                                          .structures = s.structures,
                                                          .batch = s.batch.rays,
@@ -39,9 +47,9 @@ void trace_rays(Renderer::State& s, uint32_t bounce, const trace::RayNames& name
                                                          .counters = *s.counters,
                                                          .bounce = bounce,
                                                          .most_pairs = s.most_pairs,
-                                                         .wanted = wanted_tests(s.film),
+                                                         .wanted = wanted,
                                                          .workspace = s.batch.tracing});
-  trace::tally(s.recorder, traced, s.film.tests, s.frame_statistics);
+  trace::tally(s.recorder, traced, tests_by_pixel(s.film, wanted), s.frame_statistics);
   dump(s.recorder, traced, s.dump);
 }
 

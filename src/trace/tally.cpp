@@ -64,7 +64,7 @@ void share_tests(gpu::Recorder& recorder, const Traced& traced, const TestsByPix
   const hierarchy::AccountIn account{in.batch, traced.hierarchy(), in.workspace.bundle.order.order,
                                      in.names.first_surface, in.names.pixels};
   for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    if (in.wanted[kind]) in.workspace.account.share(recorder, account, kind, tests[kind]);
+    if (in.wanted[kind]) in.workspace.account.share(recorder, account, kind, *tests[kind]);
 }
 
 }  // namespace

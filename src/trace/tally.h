@@ -9,8 +9,8 @@
 
 namespace crsh::trace {
 
-/// By shared::tests_*: uvec2 a pixel of the image, 64-bit fixed point; empty where In::wanted says no.
-using TestsByPixel = std::array<gpu::Buffer, shared::tests_count>;
+/// By shared::tests_*: uvec2 a pixel of the image, 64-bit fixed point; null where In::wanted says no.
+using TestsByPixel = std::array<const gpu::Buffer*, shared::tests_count>;
 
 /// Adds the batch's hits and digests to its counters on the device, shares its tests among `tests`, and adds what the
 /// host knows to `statistics`: rays, chunks, nodes of each level and their means. Submits and waits where there are
