@@ -71,13 +71,25 @@ std::vector<std::string> key_names() {
   return names;
 }
 
+namespace {
+
+/// Of every kernel that hashes: the bits where rays share their origin, and where not. Read once, for renderers of all threads.
+std::map<std::string, std::array<uint32_t, 2>> all_hash_bits() {
+  std::map<std::string, std::array<uint32_t, 2>> bits;
+  for (const std::string& key : key_names()) {
+    const std::string kernel = kernel_of(key), file = kernel + std::string(suffix);
+    bits[kernel] = {gpu::declared_constant(file, 0), gpu::declared_constant(file, 1)};
+  }
+  return bits;
+}
+
+}  // namespace
+
 uint32_t hash_bits(std::string_view key, const Segment& segment) {
-  const std::string file = kernel_of(key) + std::string(suffix);
-  static std::map<std::string, std::array<uint32_t, 2>> known;
-  const auto [entry, added] = known.try_emplace(file);
-  if (added)
-    for (uint32_t id : {0u, 1u}) entry->second[id] = gpu::declared_constant(file, id);
-  return entry->second[segment.shares_origin ? 0 : 1];
+  static const std::map<std::string, std::array<uint32_t, 2>> known = all_hash_bits();
+  const auto found = known.find(kernel_of(key));
+  CRSH_ASSERT(found != known.end(), "no key is called " + std::string(key));
+  return found->second[segment.shares_origin ? 0 : 1];
 }
 
 bool any_sorted(const Batch& batch, const Keys& keys) { return widest_hash(batch, keys) > 0; }
