@@ -7,7 +7,8 @@
 
 #include "bench/counters.h"
 #include "crsh/error.h"
-#include "frame/renderer.h"
+#include "crsh/renderer.h"
+#include "frame/borrowed.h"
 #include "output/exposure.h"
 #include "output/heat_map.h"
 #include "output/png.h"
@@ -48,7 +49,7 @@ void take_picture(gpu::Device& device, const scene::Scene& scene, const Schedule
                   Work& work) {
   RenderOptions options = result.variant.options;
   options.layers = LayerSet::filled_by(LayerFill::tests);
-  Renderer renderer(device, scene, options);
+  Renderer renderer(borrowed(device), borrowed(scene), options);
   const Picture picture = frame_at(renderer, result.variant.seconds.front(), work);
   const Layer& beauty = *picture.find("");
   const double stops = schedule.exposure ? double(*schedule.exposure) : output::automatic_exposure(beauty);
@@ -61,7 +62,7 @@ void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& 
   RenderOptions options = result.variant.options;
   options.layers = {};
   device.forget_peak();
-  Renderer renderer(device, scene, options);
+  Renderer renderer(borrowed(device), borrowed(scene), options);
   Picture picture;
   result.counters = pass_of(renderer, result.variant, work, picture);
   result.variant.options = renderer.options();
@@ -163,7 +164,7 @@ class Measurement {
   std::unique_ptr<Renderer> renderer_of(const Result& result) {
     RenderOptions options = result.variant.options;
     options.layers = {};
-    return std::make_unique<Renderer>(device_, scene_, options);
+    return std::make_unique<Renderer>(borrowed(device_), borrowed(scene_), options);
   }
 
   /// Lists grow and hierarchies are built in a first frame, which is left out.

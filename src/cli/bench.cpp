@@ -14,6 +14,7 @@
 #include "bench/paper_tables.h"
 #include "bench/report.h"
 #include "cli/bench_options.h"
+#include "cli/mend.h"
 #include "crsh/error.h"
 #include "output/json_text.h"
 #include "output/progress.h"
@@ -119,7 +120,7 @@ bench::Table ablate(const BenchCommand& command, const std::string& algorithm, S
       } catch (const UserError& error) {
         if (error.status() != Exit::usage) throw;
         stage.progress.clear();
-        say(command, fmt::format("{} {} is left out: {}", algorithm, variants[v].label, error.what()));
+        say(command, fmt::format("{} {} is left out: {}", algorithm, variants[v].label, line_of(error)));
       }
     }
   }

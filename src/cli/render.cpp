@@ -8,11 +8,13 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/mend.h"
 #include "cli/render_checks.h"
 #include "cli/render_options.h"
 #include "cli/values.h"
 #include "crsh/error.h"
-#include "frame/renderer.h"
+#include "crsh/renderer.h"
+#include "gpu/device.h"
 #include "output/exposure.h"
 #include "output/exr.h"
 #include "output/json_text.h"
@@ -61,6 +63,11 @@ output::Progress::Mode progress_mode(const RenderCommand& command) {
   return shown ? Mode::bar : Mode::none;
 }
 
+std::string line_of(const output::ExposureAdvice& advice) {
+  if (!advice.better) return advice.reason;
+  return fmt::format("{}: --exposure {} mends it (or --exposure auto)", advice.reason, *advice.better);
+}
+
 /// Settles the exposure by the first picture, and says so when it shows little.
 double exposure_of(Run& run, const Layer& beauty) {
   if (run.exposure) return *run.exposure;
@@ -68,7 +75,7 @@ double exposure_of(Run& run, const Layer& beauty) {
   run.exposure = asked ? double(*asked) : output::automatic_exposure(beauty);
   run.progress.clear();
   if (!asked) say(run.command, fmt::format("exposure: {}", *run.exposure));
-  if (const auto advice = output::exposure_advice(beauty, *run.exposure)) say(run.command, *advice);
+  if (const auto advice = output::exposure_advice(beauty, *run.exposure)) say(run.command, line_of(*advice));
   return *run.exposure;
 }
 
@@ -168,6 +175,13 @@ void say_what_runs(const RenderCommand& command, const scene::Scene& scene, cons
   say(command, fmt::format("device: {} ({} {}), {}", device.name, device.driver, device.driver_version, device.type));
 }
 
+/// The lights as options to paste, and more.
+void say_what_was_chosen(const RenderCommand& command, const Renderer& renderer) {
+  const std::string why = command.options.lights.empty() ? "the scene has no light: " : "";
+  for (const LightOption& light : renderer.chosen_lights()) say(command, why + option_of(light));
+  for (const std::string& note : renderer.notes()) say(command, note);
+}
+
 /// What no file can hold is not rendered.
 void drop_unused_layers(RenderCommand& command) {
   const auto is_exr = [](const output::PathPattern& pattern) { return pattern.format() == output::Format::exr; };
@@ -178,15 +192,15 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   check_combinations(command);
   check_places(command);
   drop_unused_layers(command);
-  scene::Scene scene = scene::load(command.scene, command.options.scene);
-  scene::hide(scene, command.options.hidden);
+  const auto scene = std::make_shared<scene::Scene>(scene::load(command.scene, command.options.scene));
+  scene::hide(*scene, command.options.hidden);
   const RayTable rays = command.replay_rays.empty() ? RayTable() : read_replay(command);
   count_bounces_of(rays, command.options.bounces);
-  gpu::Device device(command.device);
-  say_what_runs(command, scene, device.info());
+  const auto device = std::make_shared<gpu::Device>(command.device);
+  say_what_runs(command, *scene, device->info());
   Renderer renderer(device, scene, command.options);
+  say_what_was_chosen(command, renderer);
   command.options = renderer.options();
-  for (const std::string& note : renderer.notes()) say(command, note);
 
   const auto frames = static_cast<uint32_t>(frame_tasks(command).size());
   output::Progress progress(progress_mode(command), frames);
@@ -195,7 +209,7 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   command.replay_rays.empty() ? void(last = render_frames(run)) : replay(run, rays);
   if (run.clamped)
     say(command, fmt::format("{} values beyond 65504, the largest half, were clamped to it", run.clamped));
-  if (!command.stats.empty()) write_stats(run, device, last, line);
+  if (!command.stats.empty()) write_stats(run, *device, last, line);
   say_stage_times(command, renderer.statistics());
 }
 

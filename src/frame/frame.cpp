@@ -53,7 +53,7 @@ uint32_t most_children(Renderer::State& s, const std::vector<rays::BatchPlan>& p
   uint64_t slots = 0;
   for (const rays::BatchPlan& plan : plans)
     slots += uint64_t(plan.surfaces) * std::ranges::count_if(plan.segments, is_closest);
-  if (slots * sizeof(glm::vec4) > s.device.limits().max_binding) throw PortionTooLarge{};
+  if (slots * sizeof(glm::vec4) > s.device.limits().max_binding) throw PortionTooLarge();
   return static_cast<uint32_t>(slots);
 }
 

@@ -1,10 +1,11 @@
-#include "frame/renderer.h"
+#include "crsh/renderer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 
+#include "crsh/assertion.h"
 #include "crsh/error.h"
 #include "frame/built.h"
 #include "frame/state.h"
@@ -68,8 +69,6 @@ void apply(Renderer::State& s, RenderOptions options) {
   s.size = size;
   s.lights = std::move(lights);
   s.options = std::move(options);
-  s.notes = s.lights.notes;
-  s.notes.insert(s.notes.end(), s.gpu_scene.notes.begin(), s.gpu_scene.notes.end());
   s.statistics = {};
   s.statistics.triangles = s.gpu_scene.triangle_count;
   s.statistics.meshes = s.scene.meshes.size();
@@ -123,7 +122,7 @@ void attempt_in_portions(Renderer::State& s, const Frame& frame) {
   }
 }
 
-/// The least --max-memory that this frame needs, MiB: measured, by rendering it frugally without a bound.
+/// The least memory that this frame needs, MiB: measured, by rendering it frugally without a bound.
 uint64_t least_memory(Renderer::State& s, const Frame& frame) {
   drop_lists(s);
   s.structures.objects = {};  // its build is measured, too
@@ -138,15 +137,18 @@ uint64_t least_memory(Renderer::State& s, const Frame& frame) {
   s.device.set_memory_budget(0);
   const uint64_t least = least_memory(s, frame);
   s.device.set_memory_budget(budget);
-  throw UserError(fmt::format("--max-memory {} MiB is too little for this scene and size; it needs at least {}",
-                              budget >> 20, least));
+  throw UserError(
+      fmt::format("a memory budget of {} MiB is too little for this scene and size; it needs at least {} MiB",
+                  budget >> 20, least),
+      Mend::more_memory);
 }
 
-[[noreturn]] void report(const gpu::OutOfMemory& shortage, const std::string& mend) {
-  const std::string limit = shortage.available ? fmt::format("--max-memory allows {} MiB", shortage.available >> 20)
+[[noreturn]] void report(const gpu::OutOfMemory& shortage, Mend mend) {
+  const std::string limit = shortage.available ? fmt::format("the budget allows {} MiB", shortage.available >> 20)
                                                : std::string("the device has no more");
-  throw UserError(fmt::format("out of device memory: '{}' would bring it to {} MiB, and {}; {}", shortage.what,
-                              (shortage.needed >> 20) + 1, limit, mend));
+  throw UserError(fmt::format("out of device memory: '{}' would bring it to {} MiB, and {}", shortage.name,
+                              (shortage.needed >> 20) + 1, limit),
+                  mend);
 }
 
 /// A frame that has succeeded joins the run's statistics.
@@ -173,33 +175,37 @@ void run(Renderer::State& s, const Frame& frame) {
     return finish(s);
   } catch (const gpu::OutOfMemory& shortage) {
     if (shortage.available) refuse_budget(s, frame, s.device.request().memory_budget);
-    report(shortage, "a smaller --size needs less");
+    report(shortage, Mend::smaller_image);
   }
 }
 
 }  // namespace
 
-Renderer::Renderer(gpu::Device& device, const scene::Scene& scene, const RenderOptions& options)
-    : state_(std::make_unique<State>(device, scene, options)) {
+Renderer::Renderer(DevicePtr device, ScenePtr scene, const RenderOptions& options) {
+  CRSH_ASSERT(device && scene, "a renderer needs a device and a scene");
+  state_ = std::make_unique<State>(device, scene, options);
   try {
     load(*state_);
     return;
   } catch (const gpu::OutOfMemory& shortage) {
-    if (!shortage.available) report(shortage, "the scene alone needs that much");
+    if (!shortage.available) report(shortage, Mend::smaller_scene_or_other_device);
   }
+  const uint64_t budget = device->request().memory_budget;
   try {
-    const uint64_t budget = device.request().memory_budget;
-    device.set_memory_budget(0);
+    device->set_memory_budget(0);
     state_ = std::make_unique<State>(device, scene, options);
     load(*state_);
     const Frame first_frame = [this] { (void)render_frame(*state_, 0, {}); };
     refuse_budget(*state_, first_frame, budget);
   } catch (const gpu::OutOfMemory& shortage) {
-    report(shortage, "a smaller --size needs less");
+    device->set_memory_budget(budget);
+    report(shortage, Mend::smaller_image);
   }
 }
 
 Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Picture Renderer::render(double seconds, const Progress& progress, RayTable* dump) {
   Picture picture;
@@ -228,8 +234,8 @@ void Renderer::forget_objects() { state_->structures.objects = {}; }
 
 void Renderer::on_submit(std::function<void()> call) {
   if (!call) return state_->recorder.on_submit({});
-  state_->recorder.on_submit([this, call = std::move(call)] {
-    if (!state_->placing) call();
+  state_->recorder.on_submit([state = state_.get(), call = std::move(call)] {
+    if (!state->placing) call();
   });
 }
 
@@ -242,6 +248,7 @@ std::vector<ObjectBox> Renderer::object_boxes(uint32_t depth) {
 
 const Statistics& Renderer::statistics() const { return state_->statistics; }
 const RenderOptions& Renderer::options() const { return state_->options; }
-const std::vector<std::string>& Renderer::notes() const { return state_->notes; }
+const std::vector<LightOption>& Renderer::chosen_lights() const { return state_->lights.chosen; }
+const std::vector<std::string>& Renderer::notes() const { return state_->gpu_scene.notes; }
 
 }  // namespace crsh

@@ -2,12 +2,13 @@
 // What a renderer keeps between frames.
 
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "coherence/trim.h"
 #include "crsh/built.h"
 #include "crsh/ray_table.h"
-#include "frame/renderer.h"
+#include "crsh/renderer.h"
 #include "raster/raster.h"
 #include "rays/create.h"
 #include "scene/device/upload.h"
@@ -44,9 +45,16 @@ struct Dump {
 };
 
 struct Renderer::State {
-  State(gpu::Device& device_, const scene::Scene& scene_, const RenderOptions& options_)
-      : device(device_), scene(scene_), options(options_), recorder(device_) {}
+  State(DevicePtr device_, ScenePtr scene_, const RenderOptions& options_)
+      : kept_device(std::move(device_)),
+        kept_scene(std::move(scene_)),
+        device(*kept_device),
+        scene(*kept_scene),
+        options(options_),
+        recorder(device) {}
 
+  DevicePtr kept_device;
+  ScenePtr kept_scene;
   gpu::Device& device;
   const scene::Scene& scene;
   RenderOptions options;
@@ -72,7 +80,9 @@ struct Renderer::State {
 };
 
 /// Thrown where a generation outgrows what the device can bind: the frame begins again with smaller portions.
-struct PortionTooLarge {};
+struct PortionTooLarge : std::runtime_error {
+  PortionTooLarge() : std::runtime_error("a portion of the image outgrew what the device can bind") {}
+};
 
 /// One frame, as Figure 1 has it (frame.cpp). Counts go to state.frame_statistics.
 [[nodiscard]] Picture render_frame(Renderer::State& state, double seconds, const Renderer::Progress& progress);

@@ -44,7 +44,7 @@ Buffer::Buffer(Device& device, uint64_t bytes, std::string_view name, bool host_
   device_ = &device;
   name_ = name;
   bytes_ = std::max<uint64_t>(16, (bytes + 3) / 4 * 4);  // whole words, for fill, and never nothing, for descriptors
-  if (bytes_ > device.limits().max_allocation) throw OutOfMemory{name_, device.allocated_bytes() + bytes_, 0};
+  if (bytes_ > device.limits().max_allocation) throw OutOfMemory(name_, device.allocated_bytes() + bytes_, 0);
   buffer_ = create_buffer(device, bytes_);
   device.name_object(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(buffer_), name);
   VkMemoryRequirements requirements{};

@@ -24,10 +24,11 @@ std::string text(VkResult result) {
 
 void check(VkResult result, const char* doing) {
   if (result >= 0) return;
-  if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) throw OutOfMemory{doing, 0, 0};
+  if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) throw OutOfMemory(doing, 0, 0);
   if (result == VK_ERROR_DEVICE_LOST)
     throw UserError(std::string("the device was lost while ") + doing +
-                    ": most likely one submit took longer than the driver allows; try a smaller --submit-work");
+                        ", most likely because one submit took longer than the driver allows",
+                    Mend::less_work);
   throw UserError(std::string(doing) + " failed: " + text(result));
 }
 

@@ -140,15 +140,15 @@ uint32_t Device::memory_type(uint32_t allowed, bool host_visible) const {
 void Device::account(uint64_t bytes, uint32_t heap, std::string_view name) {
   const uint64_t sum = allocated_ + bytes;
   if (request_.memory_budget && sum > request_.memory_budget)
-    throw OutOfMemory{std::string(name), sum, request_.memory_budget};
-  if (sum > memory_.memoryHeaps[heap].size) throw OutOfMemory{std::string(name), sum, 0};
+    throw OutOfMemory(std::string(name), sum, request_.memory_budget);
+  if (sum > memory_.memoryHeaps[heap].size) throw OutOfMemory(std::string(name), sum, 0);
   allocated_ = sum;
   peak_ = std::max(peak_, sum);
 }
 
 VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements, bool host_visible, std::string_view name) {
   if (requirements.size > limits_.max_allocation)
-    throw OutOfMemory{std::string(name), allocated_ + requirements.size, 0};
+    throw OutOfMemory(std::string(name), allocated_ + requirements.size, 0);
   VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
   info.allocationSize = requirements.size;
   info.memoryTypeIndex = memory_type(requirements.memoryTypeBits, host_visible);
@@ -163,7 +163,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements, bool h
   if (result == VK_SUCCESS) return memory;
   if (!host_visible) allocated_ -= requirements.size, peak_ = before;
   if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
-    throw OutOfMemory{std::string(name), allocated_ + requirements.size, 0};
+    throw OutOfMemory(std::string(name), allocated_ + requirements.size, 0);
   check(result, "allocating memory");
   return VK_NULL_HANDLE;
 }

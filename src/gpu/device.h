@@ -7,9 +7,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "crsh/device.h"
 
 namespace crsh::gpu {
 
@@ -18,18 +21,8 @@ class Program;
 class Transfer;
 struct Kernel;
 
-/// What a device says of itself; `index` is its place in `list_devices()`.
-struct DeviceInfo {
-  uint32_t index = 0;
-  std::string name, driver, driver_version, api_version;
-  std::string type;  ///< "discrete", "integrated", "virtual", "cpu" or "other"
-  std::string uuid;  ///< 32 hex digits with dashes
-  uint32_t subgroup_size = 0;
-  bool software = false;     ///< the device is a CPU
-  bool shuffles = false;     ///< compute shaders may pass values between lanes
-  bool ray_queries = false;  ///< it has acceleration structures and ray queries of its own
-  std::string unusable;      ///< why it cannot be used; empty when it can
-};
+using crsh::DeviceInfo;
+using crsh::DeviceRequest;
 
 /// Limits that buffers, bindings and dispatches respect. Bytes unless said otherwise.
 struct Limits {
@@ -42,21 +35,15 @@ struct Limits {
   double nanoseconds_per_tick = 1;
 };
 
-struct DeviceRequest {
-  std::string selector;         ///< index, part of the name, or UUID; empty: a real GPU before a software device
-  uint64_t memory_budget = 0;   ///< bytes that all buffers and images together may take; 0: no bound
-  bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
-  bool no_ray_queries = false;  ///< as if the device had none (tests of what other devices do)
-  bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
-  /// of the instance, as the window system asks for them; empty: no window
-  std::vector<std::string> window_extensions;
-  uint64_t max_texels = 0;      ///< as if texel buffers held no more (tests); 0: what the device says
-  uint64_t first_capacity = 0;  ///< growing buffers start with so many bytes (tests); 0: what is asked for
-};
-
 /// Thrown where an allocation does not fit the budget or the device; `frame` splits or reports it.
-struct OutOfMemory {
-  std::string what;        ///< name of the buffer or image
+struct OutOfMemory : std::runtime_error {
+  OutOfMemory(std::string name_, uint64_t needed_, uint64_t available_)
+      : std::runtime_error("out of device memory (" + name_ + ")"),
+        name(std::move(name_)),
+        needed(needed_),
+        available(available_) {}
+
+  std::string name;        ///< of the buffer or image
   uint64_t needed = 0;     ///< bytes of device memory in all, this allocation included
   uint64_t available = 0;  ///< the budget, or 0 where the device itself refused
 };

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include "crsh/assertion.h"
 #include "gpu/embedded.h"
@@ -17,12 +18,12 @@ namespace crsh::gpu {
 namespace {
 
 /// Of a shader that this reflection cannot read: the programmer's error in an embedded one.
-struct Unreadable {
-  std::string why;
+struct Unreadable : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 void require(bool condition, const std::string& why) {
-  if (!condition) throw Unreadable{why};
+  if (!condition) throw Unreadable(why);
 }
 
 constexpr size_t header_words = 5;
@@ -285,7 +286,7 @@ Reflection reflect_together(std::span<const std::span<const uint32_t>> modules) 
   try {
     return reflect_all(modules);
   } catch (const Unreadable& shader) {
-    assertion_failed(__FILE__, __LINE__, shader.why);
+    assertion_failed(__FILE__, __LINE__, shader.what());
   }
 }
 
@@ -297,7 +298,7 @@ std::string misfit(std::string_view file, std::span<const uint32_t> words) {
     if (now.arguments != before.arguments || now.tables != before.tables) return "its bindings' names have changed";
     return now.push_bytes == before.push_bytes ? "" : "its push constants have changed";
   } catch (const Unreadable& shader) {
-    return shader.why;
+    return shader.what();
   }
 }
 

@@ -62,8 +62,9 @@ class Builder {
     if (bytes > device_.limits().max_binding)
       throw UserError(
           fmt::format("the object hierarchy over {} triangles has {} nodes, and {} holds at most {} in one "
-                      "buffer: choose another --algorithm or --device",
-                      n_, nodes, device_.info().name, device_.limits().max_binding / (2 * sizeof(glm::vec4))));
+                      "buffer",
+                      n_, nodes, device_.info().name, device_.limits().max_binding / (2 * sizeof(glm::vec4))),
+          Mend::other_algorithm_or_device);
     out_.box_low.reserve(device_, bytes, "low corners of boxes");
     out_.box_high.reserve(device_, bytes, "high corners of boxes");
     out_.costs.reserve(device_, nodes * sizeof(float), "costs of nodes");

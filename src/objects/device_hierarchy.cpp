@@ -14,8 +14,8 @@ void make(gpu::Recorder& recorder, uint32_t triangles, DeviceHierarchy& h) {
   gpu::Device& device = recorder.device();
   const uint64_t bytes = 3 * uint64_t(triangles) * sizeof(glm::vec4);
   if (bytes > device.limits().max_binding)
-    throw UserError(fmt::format("{} triangles are too many for --algorithm ray-query on {}: choose another --algorithm",
-                                triangles, device.info().name));
+    throw UserError(fmt::format("{} triangles are too many for ray queries on {}", triangles, device.info().name),
+                    Mend::other_algorithm);
   h.corners.reserve(device, bytes, "corners of the acceleration structure");
   h.structure = std::make_unique<gpu::AccelerationStructure>(device, triangles);
 }
@@ -24,8 +24,8 @@ void make(gpu::Recorder& recorder, uint32_t triangles, DeviceHierarchy& h) {
 
 void require_ray_queries(const gpu::Device& device) {
   if (device.info().ray_queries) return;
-  throw UserError(fmt::format("{} has no ray queries (VK_KHR_ray_query): choose another --algorithm or --device",
-                              device.info().name));
+  throw UserError(fmt::format("{} has no ray queries (VK_KHR_ray_query)", device.info().name),
+                  Mend::other_algorithm_or_device);
 }
 
 void update(gpu::Recorder& recorder, const In& in, DeviceHierarchy& h) {

@@ -53,18 +53,18 @@ double automatic_exposure(const Layer& beauty) {
   return exposure_for(lit);
 }
 
-std::optional<std::string> exposure_advice(const Layer& beauty, double exposure) {
+std::optional<ExposureAdvice> exposure_advice(const Layer& beauty, double exposure) {
   const size_t pixels = beauty.values.size() / 4;
   std::vector<double> lit = lit_pixels(beauty);
-  if (lit.empty()) return "every pixel is black: nothing in view is lit";
+  if (lit.empty()) return ExposureAdvice{"every pixel is black: nothing in view is lit", {}};
   const Count now = count_bad(lit, exposure);
   const double better = exposure_for(lit);
   const size_t dark = pixels - lit.size();  // no exposure helps these
   if ((now.bad() + dark) * 2 <= pixels || now.bad() * 2 <= lit.size()) return {};
   if (count_bad(lit, better).bad() >= now.bad()) return {};
-  return fmt::format("{} of the lit pixels {}: --exposure {} mends it (or --exposure auto)",
-                     now.bad() == lit.size() ? "all" : "over half", now.clipped > now.black ? "clip" : "are black",
-                     better);
+  return ExposureAdvice{fmt::format("{} of the lit pixels {}", now.bad() == lit.size() ? "all" : "over half",
+                                    now.clipped > now.black ? "clip" : "are black"),
+                        better};
 }
 
 }  // namespace crsh::output

@@ -13,8 +13,12 @@ namespace crsh::output {
 /// 0 where nothing is lit.
 [[nodiscard]] double automatic_exposure(const Layer& beauty);
 
-/// Where over half of the pixels clip or are black at `exposure`: a sentence that names the value which mends it, or
-/// that nothing is lit. Nothing where no value would be better.
-[[nodiscard]] std::optional<std::string> exposure_advice(const Layer& beauty, double exposure);
+struct ExposureAdvice {
+  std::string reason;            ///< what is wrong, as a clause
+  std::optional<double> better;  ///< the exposure that mends it; none: nothing is lit
+};
+
+/// Where over half of the pixels clip or are black at `exposure`. Nothing where no value would be better.
+[[nodiscard]] std::optional<ExposureAdvice> exposure_advice(const Layer& beauty, double exposure);
 
 }  // namespace crsh::output

@@ -41,8 +41,9 @@ Push push_of(const In& in) {
 void require_size(const gpu::Device& device, ImageSize size) {
   const uint32_t most = device.limits().max_image_size;
   if (size.width > most || size.height > most)
-    throw UserError(fmt::format("--size {}x{}: {} draws at most {} pixels an axis", size.width, size.height,
-                                device.info().name, most));
+    throw UserError(
+        fmt::format("{}x{} pixels: {} draws at most {} an axis", size.width, size.height, device.info().name, most),
+        Mend::smaller_image);
 }
 
 void prepare(gpu::Recorder& recorder, ImageSize size, GBuffer& out) {

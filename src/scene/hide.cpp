@@ -38,8 +38,9 @@ std::vector<bool> hidden_instances(const Scene& scene, std::span<const std::stri
     const std::optional<size_t> index = as_index(word);
     if (index && *index < hidden.size()) hidden[*index] = true;
     else if (!hide_named(scene, word, hidden))
-      throw UserError(fmt::format("{}: --hide {}: no object is called so, and there are {}, from 0 on (see crsh info)",
-                                  scene.path.string(), word, hidden.size()));
+      throw UserError(fmt::format("{}: no object to hide is called '{}', and there are {}, from 0 on",
+                                  scene.path.string(), word, hidden.size()),
+                      Mend::known_object);
   }
   return hidden;
 }

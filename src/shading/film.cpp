@@ -88,8 +88,9 @@ uint64_t pixels_of(const Film& film) { return uint64_t(film.size.width) * film.s
 void require_room(const gpu::Device& device, const Film& film) {
   const uint64_t most = device.limits().max_binding / sizeof(glm::vec4);
   if (pixels_of(film) > most)
-    throw UserError(fmt::format("--size {}x{}: {} holds at most {} pixels in one buffer", film.size.width,
-                                film.size.height, device.info().name, most));
+    throw UserError(fmt::format("{}x{} pixels: {} holds at most {} in one buffer", film.size.width, film.size.height,
+                                device.info().name, most),
+                    Mend::smaller_image);
 }
 
 /// Room for the wanted layers, all 0.

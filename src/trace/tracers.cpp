@@ -54,9 +54,8 @@ const Tracer& tracer_of(const AlgorithmOptions& options) { return tracer_named(o
 void require_sound(const AlgorithmOptions& options) {
   const Needs& needs = tracer_of(options).needs;
   if (!needs.sorted_rays || std::ranges::max(options.levels) <= needs.most_levels) return;
-  throw UserError(fmt::format("--algorithm {} has at most {} levels of nodes: give --levels {}", options.preset,
-                              needs.most_levels, needs.most_levels),
-                  Exit::usage);
+  throw UserError(fmt::format("the algorithm {} has at most {} levels of nodes", options.preset, needs.most_levels),
+                  Mend::fewer_levels, Exit::usage);
 }
 
 void require_device(const gpu::Device& device, const AlgorithmOptions& options) {

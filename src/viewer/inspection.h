@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "crsh/built.h"
-#include "frame/renderer.h"
+#include "crsh/renderer.h"
 
 namespace crsh::viewer {
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 
+#include "cli/mend.h"
 #include "crsh/error.h"
 #include "crsh/leaks.h"
 #include "crsh/version.h"
@@ -47,9 +48,9 @@ int main(int count, char** arguments) {
     run(std::vector<std::string>(arguments + 1, arguments + count));
     return static_cast<int>(Exit::done);
   } catch (const UserError& error) {
-    return report(error.what(), error.status());
+    return report(cli::line_of(error), error.status());
   } catch (const gpu::OutOfMemory& shortage) {
-    return report(fmt::format("out of memory ({}): make the window or the scene smaller", shortage.what), Exit::failed);
+    return report(fmt::format("out of memory ({}): make the window or the scene smaller", shortage.name), Exit::failed);
   } catch (const std::bad_alloc&) {
     return report("out of memory: make the window or the scene smaller", Exit::failed);
   } catch (const std::exception& error) {

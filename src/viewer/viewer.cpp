@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/mend.h"
 #include "crsh/error.h"
 #include "output/whole_file.h"
 #include "viewer/overlays/overlays.h"
@@ -216,7 +217,7 @@ void Viewer::save_what_is_ready() {
       model_.say("saved: " + saves_.front());
     } catch (const UserError& error) {
       if (model_.arguments.after) throw;
-      model_.say(error.what(), true);
+      model_.say(cli::line_of(error), true);
     }
     saves_.pop_front();
   }

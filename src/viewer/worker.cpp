@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "cli/mend.h"
 #include "crsh/error.h"
+#include "frame/borrowed.h"
 #include "scene/gltf/load.h"
 #include "scene/hide.h"
 
@@ -90,9 +92,9 @@ void Worker::run() {
     } catch (const Cancelled&) {
       samples_ = 0;
     } catch (const UserError& error) {
-      fail(error.what());
+      fail(cli::line_of(error));
     } catch (const gpu::OutOfMemory& shortage) {
-      fail(fmt::format("out of memory ({}): make the window or the scene smaller", shortage.what));
+      fail(fmt::format("out of memory ({}): make the window or the scene smaller", shortage.name));
     } catch (const std::exception& error) {
       fail(fmt::format("internal error: {}", error.what()));
     }
@@ -170,7 +172,7 @@ void Worker::look_at_shaders() {
   try {
     if (!shaders_->look(in_use)) return;
   } catch (const UserError& error) {
-    return say_error(error.what());
+    return say_error(cli::line_of(error));
   }
   renderer_.reset();
   device_.forget_programs();
@@ -198,15 +200,16 @@ void Worker::load() {
 void Worker::make_renderer() {
   say("giving it to the device", 0);
   renderer_.reset();
-  without_hidden_.reset();
   hidden_ = wish_.options.hidden;
+  ScenePtr scene(loaded_, &loaded_->scene);
   if (!hidden_.empty()) {
-    without_hidden_ = loaded_->scene;
-    scene::hide(*without_hidden_, hidden_);
+    const auto without_hidden = std::make_shared<scene::Scene>(*scene);
+    scene::hide(*without_hidden, hidden_);
+    scene = without_hidden;
   }
-  renderer_ = std::make_unique<Renderer>(device_, without_hidden_ ? *without_hidden_ : loaded_->scene, wish_.options);
+  renderer_ = std::make_unique<Renderer>(borrowed(device_), scene, wish_.options);
   renderer_->on_submit([this] {
-    if (outdated()) throw Cancelled{};
+    if (outdated()) throw Cancelled();
   });
 }
 

@@ -5,9 +5,11 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
-#include "frame/renderer.h"
+#include "crsh/renderer.h"
+#include "gpu/device.h"
 #include "viewer/job.h"
 #include "viewer/pace.h"
 #include "viewer/shader_folder.h"
@@ -27,7 +29,10 @@ class Worker {
   [[nodiscard]] News news() const;
 
  private:
-  struct Cancelled {};
+  /// Leaves a frame that nobody wants any more.
+  struct Cancelled : std::runtime_error {
+    Cancelled() : std::runtime_error("the frame was cancelled") {}
+  };
 
   void run();
   [[nodiscard]] bool take_wish();
@@ -60,7 +65,6 @@ class Worker {
   uint64_t taken_ = 0;  ///< version of wish_
   uint64_t loaded_number_ = 0, serial_ = 0;
   LoadedPtr loaded_;
-  std::optional<scene::Scene> without_hidden_;
   std::vector<std::string> hidden_;
   std::unique_ptr<Renderer> renderer_;
   Pace pace_;

@@ -147,7 +147,8 @@ TEST_CASE("too little --max-memory is one line that names the least, exit status
                                       "--size", "24x16", "--bounces", "0", "--max-memory", "1"});
   CHECK(outcome.status == 1);
   CHECK(outcome.error_lines() == 1);
-  CHECK(outcome.err.starts_with("crsh: --max-memory 1 MiB is too little"));
+  CHECK(outcome.err.starts_with("crsh: a memory budget of 1 MiB is too little"));
+  CHECK(outcome.err.ends_with(": give a larger --max-memory\n"));
   CHECK(outcome.err.find("it needs at least ") != std::string::npos);
   CHECK(folder.size() == 0);
 }

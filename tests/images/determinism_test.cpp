@@ -48,7 +48,7 @@ TEST_CASE("two devices give the same bytes and counters") {
 
 TEST_CASE("a renderer's second frame is as its first, and counts as much again") {
   RenderOptions options = small();
-  Renderer renderer(device(), own_scene("cornell"), options);
+  Renderer renderer(borrowed(device()), borrowed(own_scene("cornell")), options);
   const Picture first = renderer.render(0);
   const RayStatistics once = rays_of(renderer.statistics(), "shadow", 1);
   CHECK(difference(first, renderer.render(0)) == "");
@@ -98,7 +98,7 @@ TEST_CASE("times of an animation give different pictures, each the same again") 
 TEST_CASE("a frame does not depend on the frames before it") {
   RenderOptions options = small();
   options.bounces = 0;
-  Renderer renderer(device(), own_scene("moving"), options);
+  Renderer renderer(borrowed(device()), borrowed(own_scene("moving")), options);
   (void)renderer.render(0.4);
   CHECK(difference(renderer.render(1.1), render(own_scene("moving"), options, 1.1).picture) == "");
 }

@@ -26,7 +26,7 @@ TEST_SUITE_BEGIN("subset");
 
 TEST_CASE("a picture refined sample by sample is that of all samples at once") {
   RenderOptions options = small();
-  Renderer renderer(device(), own_scene("cornell"), options);
+  Renderer renderer(borrowed(device()), borrowed(own_scene("cornell")), options);
   Picture refined = renderer.render(0);
   for (int sample = 1; sample < 3; ++sample) refined = renderer.refine(0);
   options.samples = 3;
@@ -34,7 +34,7 @@ TEST_CASE("a picture refined sample by sample is that of all samples at once") {
 }
 
 TEST_CASE("a renderer with changed options renders as a new one") {
-  Renderer renderer(device(), own_scene("moving"), small());
+  Renderer renderer(borrowed(device()), borrowed(own_scene("moving")), small());
   (void)renderer.render(0);
   RenderOptions options = small("rah");
   options.width = 30, options.bounces = 2;
@@ -48,7 +48,7 @@ TEST_CASE("a renderer with changed options renders as a new one") {
 }
 
 TEST_CASE("a renderer whose kinds of rays change renders as a new one") {
-  Renderer renderer(device(), own_scene("cornell"), small());
+  Renderer renderer(borrowed(device()), borrowed(own_scene("cornell")), small());
   (void)renderer.render(0);
   for (const std::vector<bool>& rays : {std::vector{true, false, true}, {true}, {false, true}, {true, false, false}}) {
     RenderOptions options = small();
@@ -59,7 +59,7 @@ TEST_CASE("a renderer whose kinds of rays change renders as a new one") {
 }
 
 TEST_CASE("options that are wrong change nothing") {
-  Renderer renderer(device(), own_scene("cornell"), small());
+  Renderer renderer(borrowed(device()), borrowed(own_scene("cornell")), small());
   const Picture before = renderer.render(0);
   RenderOptions wrong = small();
   wrong.camera = "no such camera";
@@ -71,7 +71,7 @@ TEST_CASE("a frame that is cancelled at any submit leaves nothing behind") {
   struct Cancelled {};
   for (const char* algorithm : {"crsh", "bvh"}) {
     const Rendered whole = render(own_scene("moving"), small(algorithm), 0.25);
-    Renderer renderer(device(), own_scene("moving"), small(algorithm));
+    Renderer renderer(borrowed(device()), borrowed(own_scene("moving")), small(algorithm));
     for (int left = 0; left < 40; left += 3) {
       int submits = left;
       renderer.on_submit([&] {
@@ -91,7 +91,7 @@ TEST_CASE("a frame that is cancelled at any submit leaves nothing behind") {
 
 /// Each node's ball holds its rays' origins and its cone their directions, and each level holds every ray once.
 void check_nodes(const RenderOptions& options) {
-  Renderer renderer(device(), own_scene("cornell"), options);
+  Renderer renderer(borrowed(device()), borrowed(own_scene("cornell")), options);
   std::vector<RayNode> nodes;
   RayTable rays;
   renderer.watch_nodes(&nodes);
@@ -126,7 +126,7 @@ TEST_CASE("nodes off the device hold their rays, whatever the bound") {
 }
 
 TEST_CASE("boxes of the object hierarchy lie in each other's, and brute force has none") {
-  Renderer renderer(device(), own_scene("cornell"), small("bvh"));
+  Renderer renderer(borrowed(device()), borrowed(own_scene("cornell")), small("bvh"));
   (void)renderer.render(0);
   const std::vector<ObjectBox> boxes = renderer.object_boxes(4);
   REQUIRE(boxes.size() > 4);

@@ -47,7 +47,7 @@ void record(const Recording& recording, const std::filesystem::path& file) {
   options.bounces = 1;
   options.algorithm = preset("crsh-2017");
   RayTable rays;
-  Renderer renderer(device(), own_scene(recording.scene), options);
+  Renderer renderer(borrowed(device()), borrowed(own_scene(recording.scene)), options);
   (void)renderer.render(0, {}, &rays);
   output::write_rays(file, rays);
 }
@@ -73,7 +73,7 @@ std::string replayed(const Recording& recording, const RayTable& rays, const std
   options.algorithm.least_rays = 0;  // pictures are so small that most rays would be too scattered for nodes
   for (std::string& key : options.algorithm.keys)
     if (key == inexact_key) key = rays::key_of_file;
-  Renderer renderer(device(), own_scene(recording.scene), options);
+  Renderer renderer(borrowed(device()), borrowed(own_scene(recording.scene)), options);
   renderer.replay(rays, 0);
   return lines_of(fmt::format("{} {}", recording.scene, name), renderer.statistics());
 }
@@ -116,7 +116,7 @@ TEST_CASE("the recorded table notices a fault that loses one pair in 10,000") {
   options.bounces = 1;
   options.algorithm = preset("rah");
   options.mutation = "dropped-pairs";
-  Renderer renderer(device(), own_scene(office.scene), options);
+  Renderer renderer(borrowed(device()), borrowed(own_scene(office.scene)), options);
   renderer.replay(output::read_rays(folder / "office.npz"), 0);
   CHECK(lines_of("office rah", renderer.statistics()) != expected.at("office rah"));
 }

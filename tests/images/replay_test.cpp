@@ -31,7 +31,7 @@ RenderOptions small(const std::string& algorithm) {
 }
 
 Dumped dumped(const scene::Scene& scene, const RenderOptions& options) {
-  Renderer renderer(device(), scene, options);
+  Renderer renderer(borrowed(device()), borrowed(scene), options);
   Dumped result;
   (void)renderer.render(0, {}, &result.rays);
   result.statistics = renderer.statistics();
@@ -39,7 +39,7 @@ Dumped dumped(const scene::Scene& scene, const RenderOptions& options) {
 }
 
 Dumped replayed(const scene::Scene& scene, const RenderOptions& options, const RayTable& rays) {
-  Renderer renderer(device(), scene, options);
+  Renderer renderer(borrowed(device()), borrowed(scene), options);
   Dumped result;
   renderer.replay(rays, 0, &result.rays);
   result.statistics = renderer.statistics();

@@ -81,7 +81,7 @@ TEST_CASE("every bound gives the same, and so do lanes that walk alone, without 
 }
 
 TEST_CASE("an animated scene renders from frame to frame without a validation message") {
-  Renderer renderer(device(), own_scene("moving"), tiny(0));
+  Renderer renderer(borrowed(device()), borrowed(own_scene("moving")), tiny(0));
   const Picture start = renderer.render(0);
   CHECK(difference(start, renderer.render(1)) != "");
   CHECK(device().validation_messages() == 0);

@@ -122,7 +122,7 @@ TEST_CASE("the least memory that a refusal names is enough to build the object h
 TEST_CASE("where memory does not hold the scene itself, the refusal names what the whole frame needs") {
   const std::string message = refusal(1, "colonnade", "crsh", 0);
   CAPTURE(message);
-  CHECK(message.starts_with("--max-memory 1 MiB is too little"));
+  CHECK(message.starts_with("a memory budget of 1 MiB is too little"));
   REQUIRE(named_minimum(message) > 1);
   CHECK(refusal(named_minimum(message), "colonnade", "crsh", 0) == "");
 }

@@ -32,7 +32,7 @@ RenderOptions seen_from(RenderOptions options, glm::vec3 eye, glm::vec3 target, 
 /// The frame's rays, in an order that does not depend on the algorithm.
 RayTable rays_of(const scene::Scene& scene, const RenderOptions& options) {
   RayTable rays;
-  Renderer renderer(device(), scene, options);
+  Renderer renderer(borrowed(device()), borrowed(scene), options);
   (void)renderer.render(0, {}, &rays);
   std::vector<uint32_t> rows(rays.size());
   std::iota(rows.begin(), rows.end(), 0u);

@@ -136,8 +136,9 @@ TEST_CASE("a light without intensity gets pi d2 over their number, and says so")
   REQUIRE(rig.fixed.size() == 2);
   CHECK(rig.fixed[0].colour.r == doctest::Approx(M_PI * 16 / 2));
   CHECK(rig.fixed[1].colour.g == 7.0f);
-  REQUIRE(rig.notes.size() == 1);
-  CHECK(rig.notes[0].starts_with("--light 1,5,1,25.1327"));
+  REQUIRE(rig.chosen.size() == 1);
+  CHECK(rig.chosen[0].position == glm::vec3(1, 5, 1));
+  CHECK(rig.chosen[0].candela == rig.fixed[0].colour.r);
 }
 
 TEST_CASE("a scene without lights gets one beside the eye; a scene with lights keeps its own") {
@@ -147,7 +148,7 @@ TEST_CASE("a scene without lights gets one beside the eye; a scene with lights k
   REQUIRE(rig.fixed.size() == 1);
   CHECK(rig.fixed[0].position.x > 0);
   CHECK(rig.fixed[0].position.y > 0);
-  CHECK(rig.notes.at(0).find("--light ") != std::string::npos);
+  CHECK(rig.chosen.at(0) == LightOption{glm::vec3(rig.fixed[0].position), rig.fixed[0].colour.r});
   scene.lights.emplace_back();
   CHECK(scene::resolve_lights(scene, {}, bounds, {}).fixed.empty());
 }

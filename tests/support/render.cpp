@@ -91,7 +91,7 @@ std::string difference(const std::vector<Line>& a, const std::vector<Line>& b) {
 }  // namespace
 
 Rendered render(gpu::Device& device, const scene::Scene& scene, const RenderOptions& options, double seconds) {
-  Renderer renderer(device, scene, options);
+  Renderer renderer(borrowed(device), borrowed(scene), options);
   Picture picture = renderer.render(seconds);
   return {std::move(picture), renderer.statistics()};
 }

@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "frame/renderer.h"
+#include "crsh/renderer.h"
+#include "frame/borrowed.h"
 #include "gpu/device.h"
 #include "scene/scene.h"
 

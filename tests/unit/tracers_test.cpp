@@ -83,12 +83,12 @@ TEST_CASE("nodes go through the object hierarchy on one or two levels") {
   AlgorithmOptions options = preset("crsh-bvh");
   CHECK(trace::tracer_of(options).needs.object_hierarchy);
   CHECK_NOTHROW(trace::require_sound(options));
-  options.levels = {1, 2, 1};
+  options.levels = test::in_turn<uint32_t>({1, 2});
   CHECK_NOTHROW(trace::require_sound(options));
-  options.levels = {2, 3, 2};
-  CHECK_THROWS_WITH_AS(trace::require_sound(options), Contains("--levels 2"), UserError);
+  options.levels = test::in_turn<uint32_t>({2, 3});
+  CHECK_THROWS_WITH_AS(trace::require_sound(options), Contains("choose fewer levels"), UserError);
   options = preset("crsh");
-  options.levels = {8, 8, 8};
+  options.levels.fill(8);
   CHECK_NOTHROW(trace::require_sound(options));
 }
 

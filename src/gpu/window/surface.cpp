@@ -20,8 +20,7 @@ void Surface::require_support() const {
   VkBool32 supported = VK_FALSE;
   check(vkGetPhysicalDeviceSurfaceSupportKHR(device_.physical(), device_.queue_family(), surface_, &supported),
         "asking for the window's surface");
-  if (!supported)
-    throw UserError(device_.info().name + " cannot show windows here: choose another --device (see crsh info)");
+  if (!supported) throw UserError(device_.info().name + " cannot show windows here", Mend::other_device);
 }
 
 VkSurfaceCapabilitiesKHR Surface::capabilities() const {
@@ -42,7 +41,7 @@ VkSurfaceFormatKHR Surface::format() const {
   for (const VkFormat format : wanted)
     for (const VkSurfaceFormatKHR& offered : formats)
       if (offered.format == format && offered.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return offered;
-  throw UserError(device_.info().name + " offers no window of eight bits a channel: choose another --device");
+  throw UserError(device_.info().name + " offers no window of eight bits a channel", Mend::other_device);
 }
 
 }  // namespace crsh::gpu

@@ -236,7 +236,7 @@ bool Swapchain::draw(const WindowFrame& window, Screenshot* screenshot) {
   uint32_t index = 0;
   if (!resize(window.width, window.height) || !acquire(index)) return false;
   if (screenshot && !can_copy_)
-    throw UserError("--screenshot: the window of " + device_.info().name + " cannot be read");
+    throw UserError("the window of " + device_.info().name + " cannot be read", Mend::other_device);
   Buffer pixels;
   if (screenshot) pixels = Buffer(device_, uint64_t(size_.width) * size_.height * 4, "screenshot", true);
   record_all(frames_[index], window, screenshot ? &pixels : nullptr);

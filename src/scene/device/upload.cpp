@@ -26,9 +26,9 @@ std::vector<uint32_t> first_triangles(const Scene& scene) {
 /// One line where there are more than `most`.
 void require_at_most(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t most, const char* what) {
   if (count <= most) return;
-  throw UserError(
-      fmt::format("{}: {} {}, and {} holds at most {} in one buffer: leave some out, or choose another --device",
-                  scene.path.string(), count, what, device.info().name, most));
+  throw UserError(fmt::format("{}: {} {}, and {} holds at most {} in one buffer", scene.path.string(), count, what,
+                              device.info().name, most),
+                  Mend::smaller_scene_or_other_device);
 }
 
 /// One line where `count` elements of `size` bytes do not fit a binding.

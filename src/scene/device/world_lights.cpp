@@ -1,7 +1,5 @@
 #include "scene/device/world_lights.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,10 +18,6 @@ shared::Light point_light(glm::vec3 position, glm::vec3 intensity) {
           glm::vec4(0, 1, 0, 0)};
 }
 
-std::string as_option(glm::vec3 at, float candela) {
-  return fmt::format("--light {},{},{},{}", at.x, at.y, at.z, candela);
-}
-
 /// Lights the scene's middle with π lux, whatever its scale: white walls there come out at 1 cd/m2.
 float default_candela(float distance, size_t count) {
   return float(std::numbers::pi * double(distance) * distance / double(count));
@@ -35,7 +29,7 @@ LightRig rig_of_options(std::span<const LightOption> options, const Bounds& boun
     const float candela =
         option.candela.value_or(default_candela(glm::distance(option.position, centre_of(bounds)), options.size()));
     rig.fixed.push_back(point_light(option.position, glm::vec3(candela)));
-    if (!option.candela) rig.notes.push_back(as_option(option.position, candela));
+    if (!option.candela) rig.chosen.push_back({option.position, candela});
   }
   return rig;
 }
@@ -45,7 +39,7 @@ LightRig rig_of_default(const Bounds& bounds, const Viewpoint& viewpoint) {
   const float away = std::max(glm::distance(viewpoint.eye, centre_of(bounds)), radius_of(bounds) * 0.5f);
   const glm::vec3 at = viewpoint.eye + (viewpoint.right + viewpoint.up) * (0.1f * away);
   const float candela = default_candela(away, 1);
-  return {{point_light(at, glm::vec3(candela))}, {"the scene has no light: " + as_option(at, candela)}};
+  return {{point_light(at, glm::vec3(candela))}, {{at, candela}}};
 }
 
 glm::vec3 shines_along(const glm::mat4& transform) {

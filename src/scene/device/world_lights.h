@@ -2,7 +2,6 @@
 // Lights in world space, as shaders see them.
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "crsh/options.h"
@@ -13,8 +12,8 @@ namespace crsh::scene {
 
 /// Which lights a run uses, settled once, for all its frames.
 struct LightRig {
-  std::vector<shared::Light> fixed;  ///< from --light, or the default light; empty: the file's, which nodes carry
-  std::vector<std::string> notes;    ///< for stderr: intensities that were chosen, as pasteable options
+  std::vector<shared::Light> fixed;  ///< from the options, or the default light; empty: the file's, which nodes carry
+  std::vector<LightOption> chosen;   ///< lights whose intensity or place was chosen here, as options for the same
 };
 
 /// Where the eye is and what it calls right and up, for the light of a scene that has none.
@@ -22,8 +21,8 @@ struct Viewpoint {
   glm::vec3 eye{0}, right{1, 0, 0}, up{0, 1, 0};
 };
 
-/// `bounds`: the scene's at time 0. A --light without intensity gets π·d² ÷ their number candela, d from the centre of
-/// the bounds. Without --light and without lights in the file, one light hangs beside the viewpoint.
+/// `bounds`: the scene's at time 0. A light of the options without intensity gets π·d² ÷ their number candela, d from
+/// the centre of the bounds. Where neither the options nor the file have lights, one hangs beside the viewpoint.
 [[nodiscard]] LightRig resolve_lights(const Scene& scene, std::span<const LightOption> options, const Bounds& bounds,
                                       const Viewpoint& viewpoint);
 

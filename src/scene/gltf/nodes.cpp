@@ -25,7 +25,8 @@ std::optional<uint64_t> index_in(const std::string& which, uint64_t end) {
     list.append(i ? ", " : "").append(std::to_string(i));
     if (!names[i].empty()) list.append(" ").append(in_quotes(names[i], 40));
   }
-  throw Fault("has no scene " + in_quotes(which, 40), names.empty() ? "leave out --scene" : "choose one of " + list);
+  throw Fault("has no scene " + in_quotes(which, 40),
+              names.empty() ? "name none, for it has none" : "choose one of " + list);
 }
 
 std::optional<uint64_t> chosen_scene(const Fields& root, const std::string& which,

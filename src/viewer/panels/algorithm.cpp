@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/mend.h"
 #include "cli/values.h"
 #include "crsh/error.h"
 #include "crsh/kinds.h"
@@ -20,7 +21,7 @@ void set(Model& model, const Option& option, const std::string& value) {
   try {
     option.set(value);
   } catch (const UserError& error) {
-    model.say("--" + option.key() + " " + value + ": " + error.what(), true);
+    model.say("--" + option.key() + " " + value + ": " + cli::line_of(error), true);
   }
 }
 

@@ -1,0 +1,24 @@
+// The front door of the library: devices and scenes behind pointers.
+
+#include "crsh/renderer.h"
+#include "gpu/device.h"
+#include "scene/gltf/load.h"
+#include "scene/hide.h"
+
+namespace crsh {
+
+DevicePtr open_device(const DeviceRequest& request) { return std::make_shared<gpu::Device>(request); }
+
+const DeviceInfo& info_of(const DevicePtr& device) { return device->info(); }
+
+std::vector<DeviceInfo> list_devices() { return gpu::list_devices(); }
+
+ScenePtr read_scene(const std::filesystem::path& path, const ReadOptions& options) {
+  auto scene = std::make_shared<scene::Scene>(scene::load(path, options.scene));
+  scene::hide(*scene, options.hidden);
+  return scene;
+}
+
+const std::vector<std::string>& unsupported_in(const ScenePtr& scene) { return scene->unsupported; }
+
+}  // namespace crsh
