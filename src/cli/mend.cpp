@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, mend_count> in_options = {
     "give a larger --max-memory",
     "choose a smaller --size",
     "try a smaller --submit-work",
-    "give --levels 2",
+    "give fewer --levels",
     "see crsh info",
     "choose another --algorithm",
     "choose another --device (see crsh info)",

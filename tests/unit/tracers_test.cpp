@@ -6,6 +6,7 @@
 #include <set>
 
 #include "crsh/error.h"
+#include "support/kinds.h"
 #include "trace/tracers.h"
 
 namespace crsh {
