@@ -82,12 +82,16 @@ TEST_CASE("a triangle is the same from embedded data, a file beside it, and a GL
   }
 }
 
-TEST_CASE("a URI with plain spaces, a plus sign and a parent folder names its file") {
+TEST_CASE("a URI with plain spaces, a plus sign and a parent folder names its file, where that is allowed") {
   const Folder folder;
   GltfText file = one_triangle();
   std::filesystem::create_directories(folder.path("scenes"));
   folder.write("a + b.bin", file.buffer);
-  CHECK(scene::load(folder.write("scenes/s.gltf", file.text(R"(,"uri":"../a + b.bin")"))).triangle_count() == 1);
+  const auto path = folder.write("scenes/s.gltf", file.text(R"(,"uri":"../a + b.bin")"));
+  CHECK(scene::load(path, "", scene::Reach::anywhere).triangle_count() == 1);
+  CHECK_THROWS_AS((void)scene::load(path), scene::OutsideError);
+  folder.write("scenes/a + b.bin", file.buffer);
+  CHECK(scene::load(folder.write("scenes/t.gltf", file.text(R"(,"uri":"below/../a + b.bin")"))).triangle_count() == 1);
 }
 
 TEST_CASE("indices of 8, 16 and 32 bits give the same triangles") {

@@ -47,12 +47,16 @@ need_header(spirv/unified1/spirv.h spirv-headers)
 need_header(glm/glm.hpp libglm-dev)
 need_header(CLI/CLI.hpp libcli11-dev)
 need_header(nlohmann/json.hpp nlohmann-json3-dev)
+need_header(tiny_gltf.h libtinygltf-dev)
 need_header(stb_image_write.h libstb-dev stb)
 need_header(zip.h libzip-dev)
 need_library(stb libstb-dev)
 need_library(zip libzip-dev)
 target_link_libraries(crsh_packages INTERFACE ${CMAKE_DL_LIBS})
 target_compile_definitions(crsh_packages INTERFACE GLM_ENABLE_EXPERIMENTAL)
+# Of tinygltf only the header is used, everywhere in this one form: it opens no file and decodes no image.
+target_compile_definitions(crsh_packages INTERFACE TINYGLTF_NO_FS TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE
+                           TINYGLTF_NO_INCLUDE_JSON)
 
 if(CRSH_VIEWER)
   # Debian's libimgui is static, holds the GLFW and Vulkan backends, and takes two packers from libstb.

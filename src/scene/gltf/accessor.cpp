@@ -4,9 +4,8 @@
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
-#include <string_view>
-#include <utility>
 
+#include "scene/gltf/checked.h"
 #include "scene/gltf/fault.h"
 
 namespace crsh::scene {
@@ -17,23 +16,27 @@ namespace {
 constexpr uint64_t most_zeros = uint64_t{1} << 24u;
 constexpr uint64_t longest_stride = 65535;
 
-uint32_t components_of(const std::string& type, const std::string& where) {
-  constexpr std::pair<std::string_view, uint32_t> types[] = {
-      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
-  for (const auto& [name, components] : types)
-    if (type == name) return components;
-  throw Fault(where + ".type " + in_quotes(type, 20) + " is not known here");
+uint32_t components_of(int type, const std::string& where) {
+  switch (type) {
+    case TINYGLTF_TYPE_SCALAR: return 1;
+    case TINYGLTF_TYPE_VEC2: return 2;
+    case TINYGLTF_TYPE_VEC3: return 3;
+    case TINYGLTF_TYPE_VEC4: return 4;
+    case TINYGLTF_TYPE_MAT4: return 16;
+    case TINYGLTF_TYPE_MAT2: throw Fault(where + ".type 'MAT2' is not known here");
+    default: throw Fault(where + ".type 'MAT3' is not known here");
+  }
 }
 
-Component component_of(uint64_t code, const std::string& name) {
+Component component_of(int code, const std::string& where) {
   switch (code) {
-    case 5120:
-    case 5121:
-    case 5122:
-    case 5123:
-    case 5125:
-    case 5126: return static_cast<Component>(code);
-    default: throw Fault(name + " " + std::to_string(code) + " is none of glTF's");
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case TINYGLTF_COMPONENT_TYPE_FLOAT: return static_cast<Component>(code);
+    default: throw Fault(where + ".componentType " + std::to_string(code) + " is none of glTF's");
   }
 }
 
@@ -83,25 +86,25 @@ std::span<const uint8_t> range(std::span<const uint8_t> view, uint64_t offset, u
 
 }  // namespace
 
-Accessor::Accessor(Document& document, uint64_t index) {
-  const Fields fields = document.root().element("accessors", index);
-  where_ = fields.where();
-  count_ = fields.needed_whole("count");
-  components_ = components_of(fields.text("type"), where_);
-  component_ = component_of(fields.needed_whole("componentType"), fields.name_of("componentType"));
-  normalised_ = fields.flag("normalized", false);
+Accessor::Accessor(Document& document, int64_t index) : where_(place("accessors", index)) {
+  const tinygltf::Accessor& from = scene::at(document.model().accessors, index, "accessors");
+  count_ = from.count;
+  components_ = components_of(from.type, where_);
+  component_ = component_of(from.componentType, where_);
+  normalised_ = from.normalized;
   size_ = components_ * size_of(component_);
-  read_dense(document, fields);
-  if (const std::optional<Fields> sparse = fields.object("sparse")) substitute(document, fields, *sparse);
+  read_dense(document, from);
+  if (from.sparse.isSparse) substitute(document, from);
 }
 
-void Accessor::read_dense(Document& document, const Fields& fields) {
+void Accessor::read_dense(Document& document, const tinygltf::Accessor& from) {
   stride_ = size_;
-  if (const std::optional<uint64_t> view = fields.whole("bufferView")) {
-    stride_ = document.root().element("bufferViews", *view).whole("byteStride", size_);
+  if (from.bufferView >= 0) {
+    const uint64_t stride = scene::at(document.model().bufferViews, from.bufferView, "bufferViews").byteStride;
+    if (stride != 0) stride_ = stride;
     if (stride_ < size_ || stride_ > longest_stride)
       throw Fault(where_ + " does not fit the byteStride of its bufferView");
-    data_ = range(document.view(*view), fields.whole("byteOffset", 0), count_, stride_, size_, where_);
+    data_ = range(document.view(from.bufferView), from.byteOffset, count_, stride_, size_, where_);
     return;
   }
   if (count_ > most_zeros) throw Fault(where_ + " has " + std::to_string(count_) + " elements but no data");
@@ -120,22 +123,23 @@ void Accessor::copy_tightly(Document& document) {
   data_ = owned_;
 }
 
-void Accessor::substitute(Document& document, const Fields& fields, const Fields& sparse) {
-  const std::optional<Fields> indices = sparse.object("indices"), values = sparse.object("values");
-  if (!indices || !values) throw Fault(sparse.where() + " lacks its indices or values");
-  const uint64_t many = sparse.needed_whole("count");
-  if (many > count_) throw Fault(sparse.where() + " has more elements than " + fields.where());
-  const Component type = component_of(indices->needed_whole("componentType"), indices->name_of("componentType"));
-  if (!is_index_type(type)) throw Fault(indices->name_of("componentType") + " is not an unsigned integer");
+void Accessor::substitute(Document& document, const tinygltf::Accessor& from) {
+  const auto& indices = from.sparse.indices;
+  const auto& values = from.sparse.values;
+  const std::string where = where_ + ".sparse";
+  const auto many = static_cast<uint64_t>(from.sparse.count);
+  if (many > count_) throw Fault(where + " has more elements than " + where_);
+  const Component type = component_of(indices.componentType, where + ".indices");
+  if (!is_index_type(type)) throw Fault(where + ".indices.componentType is not an unsigned integer");
   const uint32_t step = size_of(type);
-  const auto places = range(document.view(indices->needed_whole("bufferView")), indices->whole("byteOffset", 0), many,
-                            step, step, indices->where());
-  const auto news = range(document.view(values->needed_whole("bufferView")), values->whole("byteOffset", 0), many,
-                          size_, size_, values->where());
+  const auto places = range(document.view(indices.bufferView), static_cast<uint64_t>(indices.byteOffset), many, step,
+                            step, where + ".indices");
+  const auto news = range(document.view(values.bufferView), static_cast<uint64_t>(values.byteOffset), many, size_,
+                          size_, where + ".values");
   copy_tightly(document);
   for (uint64_t i = 0; i < many; ++i) {
     const uint32_t place = unsigned_at(places.data() + i * step, type);
-    if (place >= count_) throw Fault(indices->where() + " names an element that " + fields.where() + " does not have");
+    if (place >= count_) throw Fault(where + ".indices names an element that " + where_ + " does not have");
     std::memcpy(owned_.data() + place * size_, news.data() + i * size_, size_);
   }
 }

@@ -17,7 +17,7 @@ enum class Component : uint32_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, 
 class Accessor {
  public:
   /// Checks that every element lies within its bufferView; a Fault where it does not.
-  Accessor(Document& document, uint64_t index);
+  Accessor(Document& document, int64_t index);
 
   [[nodiscard]] const std::string& where() const { return where_; }
   [[nodiscard]] uint64_t count() const { return count_; }
@@ -37,8 +37,8 @@ class Accessor {
   void need_indices() const;
 
  private:
-  void read_dense(Document& document, const Fields& fields);
-  void substitute(Document& document, const Fields& fields, const Fields& sparse);
+  void read_dense(Document& document, const tinygltf::Accessor& from);
+  void substitute(Document& document, const tinygltf::Accessor& from);
   void copy_tightly(Document& document);
   [[nodiscard]] const uint8_t* element(uint64_t i) const { return data_.data() + i * stride_; }
   [[nodiscard]] float value(const uint8_t* bytes) const;

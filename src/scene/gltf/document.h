@@ -1,44 +1,49 @@
 #pragma once
-// A glTF file's JSON and binary data.
+// A glTF file: what tinygltf reads in its JSON, and its binary data.
 
+#include <tiny_gltf.h>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <vector>
 
-#include "scene/gltf/fields.h"
+#include "scene/gltf/prepare.h"
 #include "scene/gltf/uri.h"
 
 namespace crsh::scene {
 
-/// One file, .gltf or .glb (told apart by content). Buffers are read when first asked for, and every range is checked.
+/// One file, .gltf or .glb (told apart by content). tinygltf sees neither buffers nor images: they are read here, when
+/// first asked for, and every range is checked.
 class Document {
  public:
   /// `most_work`: how many elements spend() allows.
-  explicit Document(const std::filesystem::path& path, uint64_t most_work = uint64_t{1} << 30u);
-  ~Document();
-  Document(const Document&) = delete;
-  Document& operator=(const Document&) = delete;
+  explicit Document(const std::filesystem::path& path, Reach reach = Reach::folder,
+                    uint64_t most_work = uint64_t{1} << 30u);
 
-  [[nodiscard]] Fields root() const;
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// Its types are checked, its references are not: see at() in checked.h.
+  [[nodiscard]] const tinygltf::Model& model() const { return model_; }
   /// The bytes of a bufferView.
-  [[nodiscard]] std::span<const uint8_t> view(uint64_t index);
+  [[nodiscard]] std::span<const uint8_t> view(int64_t index);
+  [[nodiscard]] const ImageSource& image(int64_t index) const;
+  /// The bytes behind a URI of the file.
+  [[nodiscard]] Bytes read(const std::string& uri) const;
   /// Counts work that a small file could ask for without end (one array read by thousands of meshes); a Fault when it
   /// is too much.
   void spend(uint64_t elements);
 
  private:
-  std::span<const uint8_t> buffer(uint64_t index);
-  Bytes read_buffer(const Fields& fields, uint64_t index, uint64_t length) const;
+  std::span<const uint8_t> buffer(int64_t index);
+  Bytes read_buffer(const BufferSource& source, int64_t index) const;
 
   std::filesystem::path folder_;
-  std::unique_ptr<nlohmann::json> json_;
+  Reach reach_;
   std::optional<Bytes> binary_;  // the GLB's BIN chunk
-  std::unordered_map<uint64_t, Bytes> buffers_;
+  std::vector<BufferSource> sources_;
+  std::vector<ImageSource> images_;
+  tinygltf::Model model_;
+  std::unordered_map<int64_t, Bytes> buffers_;
   uint64_t work_left_;
 };
 

@@ -19,6 +19,13 @@ class Fault : public std::runtime_error {
   std::string mend_;
 };
 
+/// A file names another that lies outside its own folder.
+class OutsideFault : public Fault {
+ public:
+  explicit OutsideFault(const std::string& name = {})
+      : Fault(name + "lies outside the scene's folder", "put it beside the scene, or allow it explicitly") {}
+};
+
 /// Text from a file, made fit for one line of a terminal: no control characters, no more than `limit` bytes.
 [[nodiscard]] std::string printable(std::string_view text, size_t limit = 120);
 

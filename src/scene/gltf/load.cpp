@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <new>
 #include <set>
@@ -10,6 +8,7 @@
 #include "scene/gltf/attachments.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/fault.h"
+#include "scene/gltf/json.h"
 #include "scene/gltf/load.h"
 #include "scene/gltf/material.h"
 #include "scene/gltf/nodes.h"
@@ -20,19 +19,8 @@ namespace {
 
 constexpr float farthest = 1e15f;  // metres; squares and products stay within float
 
-bool is_done_here(std::string_view extension) {
-  constexpr std::array<std::string_view, 6> done = {"KHR_lights_punctual",  "KHR_materials_emissive_strength",
-                                                    "KHR_materials_ior",    "KHR_materials_transmission",
-                                                    "KHR_materials_volume", "KHR_mesh_quantization"};
-  return std::find(done.begin(), done.end(), extension) != done.end();
-}
-
-void check_extensions(const Fields& root, Notes& notes) {
-  for (const std::string& name : root.texts("extensionsRequired"))
-    if (!is_done_here(name))
-      throw Fault("needs the extension " + printable(name, 60) + ", which crsh does not do",
-                  "export the scene without it");
-  for (const std::string& name : root.texts("extensionsUsed"))
+void note_extensions(const Document& document, Notes& notes) {
+  for (const std::string& name : document.model().extensionsUsed)
     if (!is_done_here(name)) notes.add("extension " + printable(name, 60));
 }
 
@@ -53,12 +41,12 @@ void check_transforms(const Scene& scene) {
                       " is moved or scaled beyond what can be drawn");
 }
 
-Scene read(const std::filesystem::path& path, const std::string& which) {
-  Document document(path);
+Scene read(const std::filesystem::path& path, const std::string& which, Reach reach) {
+  Document document(path, reach);
   Scene scene;
   scene.path = path;
   Notes notes(scene.unsupported);
-  check_extensions(document.root(), notes);
+  note_extensions(document, notes);
   const NodeMap nodes = read_nodes(document, which, scene);
   read_instances(document, nodes, scene, notes);
   read_materials(document, materials_used(scene), scene, notes);
@@ -69,21 +57,27 @@ Scene read(const std::filesystem::path& path, const std::string& which) {
   return scene;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason, const std::string& mend) {
-  throw UserError(printable(path.string(), 4096) + ": " + printable(reason, 400) + "; " + printable(mend, 400));
+std::string line(const std::filesystem::path& path, const std::string& reason, const std::string& mend) {
+  return printable(path.string(), 4096) + ": " + printable(reason, 400) + "; " + printable(mend, 400);
+}
+
+[[noreturn]] void refuse_as_too_large(const std::filesystem::path& path) {
+  throw UserError(line(path, "does not fit in memory", "split or simplify the scene"));
 }
 
 }  // namespace
 
-Scene load(const std::filesystem::path& path, const std::string& which) {
+Scene load(const std::filesystem::path& path, const std::string& which, Reach reach) {
   try {
-    return read(path, which);
+    return read(path, which, reach);
+  } catch (const OutsideFault& fault) {
+    throw OutsideError(line(path, fault.what(), fault.mend()));
   } catch (const Fault& fault) {
-    refuse(path, fault.what(), fault.mend());
+    throw UserError(line(path, fault.what(), fault.mend()));
   } catch (const std::bad_alloc&) {
-    refuse(path, "does not fit in memory", "split or simplify the scene");
+    refuse_as_too_large(path);
   } catch (const std::length_error&) {
-    refuse(path, "does not fit in memory", "split or simplify the scene");
+    refuse_as_too_large(path);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "scene/bounding.h"
 #include "scene/gltf/accessor.h"
+#include "scene/gltf/checked.h"
 
 namespace crsh::scene {
 
@@ -18,11 +19,10 @@ constexpr uint32_t unused = 0xFFFFFFFFu;
 constexpr uint64_t triangle_cost = 16;  // in units of Document::spend: 67 million triangles, some 7 GiB, are too many
 constexpr float farthest = 1e15f;       // metres; squares and products stay within float
 
-enum Mode : uint64_t { triangles = 4, strip = 5, fan = 6 };
 constexpr std::array attribute_names = {"POSITION", "NORMAL", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
 
 /// The accessors of a primitive's attributes, in the order of attribute_names. Primitives with the same share vertices.
-using Layout = std::array<std::optional<uint64_t>, attribute_names.size()>;
+using Layout = std::array<std::optional<int>, attribute_names.size()>;
 
 uint32_t packed(const glm::vec4& colour) {
   uint32_t out = 0;
@@ -100,9 +100,9 @@ class Vertices {
 };
 
 /// The corners of triangle t of a list, strip or fan (glTF 2.0, section 3.7.2.1).
-std::array<uint64_t, 3> corners(uint64_t mode, uint64_t t) {
-  if (mode == strip) return {t, t + 1 + t % 2, t + 2 - t % 2};
-  if (mode == fan) return {t + 1, t + 2, 0};
+std::array<uint64_t, 3> corners(int mode, uint64_t t) {
+  if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {t, t + 1 + t % 2, t + 2 - t % 2};
+  if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {t + 1, t + 2, 0};
   return {3 * t, 3 * t + 1, 3 * t + 2};
 }
 
@@ -111,57 +111,58 @@ class MeshReader {
   MeshReader(Document& document, Notes& notes, uint32_t default_material)
       : document_(document), notes_(notes), default_material_(default_material) {}
 
-  void add(const Fields& primitive) {
+  void add(const tinygltf::Primitive& primitive, const std::string& where) {
     note_what_is_left_out(primitive);
-    const std::optional<Layout> layout = layout_of(primitive);
-    const uint64_t mode = primitive.whole("mode", triangles);
-    if (mode > fan) throw Fault(primitive.name_of("mode") + " is none of glTF's");
-    if (mode < triangles) return notes_.add("points and lines");
-    if (!layout) return notes_.add("primitives without positions");
-    auto found = blocks_.find(*layout);
-    if (found == blocks_.end()) found = blocks_.try_emplace(*layout, document_, *layout).first;
-    append_triangles(primitive, found->second, mode);
-    mesh.materials.resize(mesh.triangles.size(), material_of(primitive));
+    if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) throw Fault(where + ".mode is none of glTF's");
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) return notes_.add("points and lines");
+    const Layout layout = layout_of(primitive);
+    if (!layout[0]) return notes_.add("primitives without positions");
+    auto found = blocks_.find(layout);
+    if (found == blocks_.end()) found = blocks_.try_emplace(layout, document_, layout).first;
+    append_triangles(primitive, where, found->second);
+    mesh.materials.resize(mesh.triangles.size(), material_of(primitive, where));
   }
 
   Mesh mesh;
 
  private:
-  std::optional<Layout> layout_of(const Fields& primitive) const {
-    const std::optional<Fields> attributes = primitive.object("attributes");
-    if (!attributes) throw Fault(primitive.name_of("attributes") + " is missing");
+  static Layout layout_of(const tinygltf::Primitive& primitive) {
     Layout layout;
-    for (size_t a = 0; a < layout.size(); ++a) layout[a] = attributes->whole(attribute_names[a]);
-    return layout[0] ? std::optional(layout) : std::nullopt;
+    for (size_t a = 0; a < layout.size(); ++a)
+      if (const auto found = primitive.attributes.find(attribute_names[a]); found != primitive.attributes.end())
+        layout[a] = found->second;
+    return layout;
   }
 
-  void note_what_is_left_out(const Fields& primitive) {
-    if (primitive.size("targets") > 0) notes_.add("morph targets (drawn without them)");
-    const std::optional<Fields> attributes = primitive.object("attributes");
-    if (attributes && attributes->has("COLOR_1")) notes_.add("vertex colours past COLOR_0");
+  void note_what_is_left_out(const tinygltf::Primitive& primitive) {
+    if (!primitive.targets.empty()) notes_.add("morph targets (drawn without them)");
+    if (primitive.attributes.contains("COLOR_1")) notes_.add("vertex colours past COLOR_0");
   }
 
-  uint32_t material_of(const Fields& primitive) const {
-    const std::optional<uint64_t> material = primitive.whole("material");
-    if (material && *material >= default_material_) throw Fault(primitive.name_of("material") + " is not in the file");
-    return material ? static_cast<uint32_t>(*material) : default_material_;
+  uint32_t material_of(const tinygltf::Primitive& primitive, const std::string& where) const {
+    if (primitive.material < 0) return default_material_;
+    if (static_cast<uint32_t>(primitive.material) >= default_material_)
+      throw Fault(where + ".material is not in the file");
+    return static_cast<uint32_t>(primitive.material);
   }
 
-  void append_triangles(const Fields& primitive, Vertices& vertices, uint64_t mode) {
+  void append_triangles(const tinygltf::Primitive& primitive, const std::string& where, Vertices& vertices) {
     std::optional<Accessor> indices;
-    if (const std::optional<uint64_t> accessor = primitive.whole("indices")) {
-      indices.emplace(document_, *accessor);
+    if (primitive.indices >= 0) {
+      indices.emplace(document_, primitive.indices);
       indices->need_indices();
     }
+    const int mode = primitive.mode;
     const uint64_t corner_count = indices ? indices->count() : vertices.count();
-    const uint64_t many = mode == triangles ? corner_count / 3 : corner_count - std::min<uint64_t>(corner_count, 2);
+    const uint64_t many =
+        mode == TINYGLTF_MODE_TRIANGLES ? corner_count / 3 : corner_count - std::min<uint64_t>(corner_count, 2);
     document_.spend(many * triangle_cost);
     for (uint64_t t = 0; t < many; ++t) {
       glm::uvec3 triangle;
       const std::array<uint64_t, 3> places = corners(mode, t);
       for (size_t c = 0; c < 3; ++c)
         triangle[static_cast<int>(c)] =
-            vertices.vertex(mesh, indices ? indices->integer_at(places[c]) : places[c], primitive.where());
+            vertices.vertex(mesh, indices ? indices->integer_at(places[c]) : places[c], where);
       mesh.triangles.push_back(triangle);
     }
   }
@@ -174,12 +175,14 @@ class MeshReader {
 
 }  // namespace
 
-Mesh read_mesh(Document& document, uint64_t index, uint32_t default_material, Notes& notes) {
-  const Fields fields = document.root().element("meshes", index);
+Mesh read_mesh(Document& document, int64_t index, uint32_t default_material, Notes& notes) {
+  const tinygltf::Mesh& from = at(document.model().meshes, index, "meshes");
+  const std::string where = place("meshes", index) + ".primitives";
   MeshReader reader(document, notes, default_material);
-  reader.mesh.name = fields.text("name");
-  if (fields.size("primitives") == 0) throw Fault(fields.name_of("primitives") + " is missing");
-  for (size_t i = 0; i < fields.size("primitives"); ++i) reader.add(fields.element("primitives", i));
+  reader.mesh.name = from.name;
+  if (from.primitives.empty()) throw Fault(where + " is missing");
+  for (size_t i = 0; i < from.primitives.size(); ++i)
+    reader.add(from.primitives[i], place(where, static_cast<int64_t>(i)));
   fill_bounds(reader.mesh);
   return std::move(reader.mesh);
 }

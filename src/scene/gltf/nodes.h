@@ -13,7 +13,7 @@ namespace crsh::scene {
 
 /// Which glTF node each of Scene::nodes is, and the other way round.
 struct NodeMap {
-  std::vector<uint64_t> file_of;                 ///< of a node of the scene
+  std::vector<int64_t> file_of;                  ///< of a node of the scene
   std::vector<std::optional<uint32_t>> node_of;  ///< of a node of the file: none where the scene does not reach it
 };
 

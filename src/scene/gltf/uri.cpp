@@ -91,11 +91,31 @@ std::string_view scheme_of(std::string_view uri) {
   return valid ? scheme : std::string_view{};
 }
 
+/// Where the path leads, all links followed as far as there is anything.
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  const fs::path out = fs::weakly_canonical(path, error);
+  if (error) throw Fault("cannot be found", "check the path and its permissions");
+  return out;
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+/// The file that a relative URI names.
+fs::path place_of(const std::string& name, const fs::path& folder, Reach reach) {
+  if (name.find('\0') != std::string::npos) throw Fault("cannot be found", "check the path and its permissions");
+  const fs::path own = resolved(folder.empty() ? "." : folder), path = resolved(own / name);
+  if (reach == Reach::folder && !is_below(path, own)) throw OutsideFault();
+  return path;
+}
+
 /// The file that a relative URI means; one named with a literal "%20" is found as well.
-fs::path local_path(const std::string& uri, const fs::path& folder) {
+fs::path local_path(const std::string& uri, const fs::path& folder, Reach reach) {
   std::error_code ignored;
-  const fs::path decoded = folder / percent_decoded(uri);
-  const fs::path literal = folder / uri;
+  const fs::path decoded = place_of(percent_decoded(uri), folder, reach);
+  const fs::path literal = place_of(uri, folder, reach);
   return !fs::exists(decoded, ignored) && fs::exists(literal, ignored) ? literal : decoded;
 }
 
@@ -121,13 +141,15 @@ std::string uri_name(const std::string& uri) {
   return is_data(uri) ? std::string("embedded data") : in_quotes(percent_decoded(uri.substr(0, 400)));
 }
 
-Bytes read_uri(const std::string& uri, const fs::path& folder, uint64_t most) {
+Bytes read_uri(const std::string& uri, const fs::path& folder, Reach reach, uint64_t most) {
   if (is_data(uri)) return data_of(uri);
   if (const std::string_view scheme = scheme_of(uri); !scheme.empty())
     throw Fault(uri_name(uri) + " is not a local file",
                 "save it beside the scene and name it without '" + printable(scheme, 16) + ":'");
   try {
-    return read_file(local_path(uri, folder), most);
+    return read_file(local_path(uri, folder, reach), most);
+  } catch (const OutsideFault& fault) {
+    throw OutsideFault(uri_name(uri) + ", which it refers to: ");
   } catch (const Fault& fault) {
     throw Fault(uri_name(uri) + ", which it refers to: " + fault.what(), "put the file where the scene expects it");
   }

@@ -1,0 +1,127 @@
+#include "scene/gltf/prepare.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "scene/gltf/checked.h"
+#include "scene/gltf/fault.h"
+#include "scene/gltf/shape_check.h"
+
+namespace crsh::scene {
+
+namespace {
+
+using nlohmann::json;
+
+/// Takes a list of the root out of it; empty where it has none.
+json take_out(json& root, const char* name) {
+  const auto found = root.find(name);
+  if (found == root.end()) return json::array();
+  json out = std::move(*found);
+  root.erase(found);
+  return out;
+}
+
+json& list_of(json& root, const char* name) {
+  json& list = root[name];
+  if (list.is_null()) list = json::array();
+  return list;
+}
+
+std::optional<uint64_t> whole(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found == object.end() ? std::nullopt : std::optional(found->get<uint64_t>());
+}
+
+/// Moved out of the object: some are whole buffers.
+std::string uri_of(json& object) {
+  const auto found = object.find("uri");
+  return found == object.end() ? std::string() : std::move(found->get_ref<std::string&>());
+}
+
+void take_sources(json& root, Prepared& out) {
+  json buffers = take_out(root, "buffers"), images = take_out(root, "images");
+  for (json& buffer : buffers) out.buffers.push_back({whole(buffer, "byteLength"), uri_of(buffer)});
+  for (json& image : images) out.images.push_back({whole(image, "bufferView"), uri_of(image)});
+}
+
+void take_strides(json& root, Prepared& out) {
+  for (json& view : list_of(root, "bufferViews")) {
+    out.strides.push_back(whole(view, "byteStride").value_or(0));
+    view.erase("byteStride");
+  }
+}
+
+/// tinygltf refuses the file for one of an unknown type, whether it is used or not.
+void check_accessors(json& root) {
+  constexpr std::array<std::string_view, 7> types = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+  constexpr uint64_t first_code = 5120, last_code = 5130;
+  int64_t i = 0;
+  for (const json& accessor : list_of(root, "accessors")) {
+    const std::string where = place("accessors", i++);
+    const auto& type = accessor["type"].get_ref<const std::string&>();
+    if (std::find(types.begin(), types.end(), type) == types.end())
+      throw Fault(where + ".type " + in_quotes(type, 20) + " is not known here");
+    const auto code = accessor["componentType"].get<uint64_t>();
+    if (code < first_code || code > last_code)
+      throw Fault(where + ".componentType " + std::to_string(code) + " is none of glTF's");
+  }
+}
+
+void check_cameras(json& root) {
+  int64_t i = 0;
+  for (const json& camera : list_of(root, "cameras")) {
+    const auto& type = camera["type"].get_ref<const std::string&>();
+    if ((type != "perspective" && type != "orthographic") || !camera.contains(type))
+      throw Fault(place("cameras", i) + ".type is neither perspective nor orthographic");
+    ++i;
+  }
+}
+
+/// The accessors that primitives use as indices.
+std::set<uint64_t> index_accessors(json& root) {
+  std::set<uint64_t> out;
+  for (const json& mesh : list_of(root, "meshes"))
+    if (const auto primitives = mesh.find("primitives"); primitives != mesh.end())
+      for (const json& primitive : *primitives)
+        if (const auto indices = whole(primitive, "indices")) out.insert(*indices);
+  return out;
+}
+
+/// tinygltf wants all indices to have an accessor, and 2.7 wants each of these to have a bufferView.
+void settle_indices(json& root, Prepared& out) {
+  json &accessors = list_of(root, "accessors"), &views = list_of(root, "bufferViews");
+  const uint64_t own_views = views.size();
+  for (const uint64_t index : index_accessors(root)) {
+    if (index >= accessors.size())
+      throw Fault(place("accessors", static_cast<int64_t>(index)) + " is referred to but is not in the file");
+    json& accessor = accessors[index];
+    if (const auto view = whole(accessor, "bufferView"); !view) {
+      accessor["bufferView"] = own_views;
+      out.bare.push_back(index);
+    } else if (*view >= own_views) {
+      throw Fault(place("bufferViews", static_cast<int64_t>(*view)) + " is referred to but is not in the file");
+    }
+  }
+  if (!out.bare.empty()) views.push_back({{"buffer", 0}, {"byteLength", 0}});
+}
+
+}  // namespace
+
+Prepared prepare(json root) {
+  Prepared out;
+  bring_into_shape(root, root_shape);
+  take_sources(root, out);
+  take_strides(root, out);
+  check_accessors(root);
+  check_cameras(root);
+  settle_indices(root, out);
+  out.text = root.dump();
+  return out;
+}
+
+}  // namespace crsh::scene

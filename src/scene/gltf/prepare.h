@@ -1,0 +1,35 @@
+#pragma once
+// Makes of a file's JSON what tinygltf may read: every type checked, and nothing in it that tinygltf would open, decode
+// or refuse without naming the place.
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crsh::scene {
+
+struct BufferSource {
+  std::optional<uint64_t> length;
+  std::string uri;  ///< empty: a GLB's BIN chunk
+};
+
+struct ImageSource {
+  std::optional<uint64_t> view;
+  std::string uri;
+};
+
+struct Prepared {
+  std::string text;                   ///< for tinygltf: what shape.h names, without buffers and images
+  std::vector<BufferSource> buffers;  ///< of the file, read when first asked for
+  std::vector<ImageSource> images;
+  std::vector<uint64_t> strides;  ///< of the bufferViews, 0 where they have none: tinygltf takes multiples of 4 alone
+  std::vector<uint64_t> bare;     ///< accessors without a bufferView that tinygltf 2.7 wants one of: they name another,
+                                  ///< behind the file's own
+};
+
+/// A Fault where a field is of the wrong type or out of range, or a needed one is missing.
+[[nodiscard]] Prepared prepare(nlohmann::json root);
+
+}  // namespace crsh::scene

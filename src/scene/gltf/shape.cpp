@@ -1,0 +1,170 @@
+#include "scene/gltf/shape.h"
+
+#include <tiny_gltf.h>
+
+namespace crsh::scene {
+
+namespace {
+
+// Short ways to write a row.
+constexpr Field index(std::string_view name) { return {name, Kind::index}; }
+constexpr Field length(std::string_view name) { return {name, Kind::length}; }
+constexpr Field number(std::string_view name) { return {name, Kind::number}; }
+constexpr Field numbers(std::string_view name, size_t count) { return {name, Kind::numbers, count}; }
+constexpr Field flag(std::string_view name) { return {name, Kind::flag}; }
+constexpr Field text(std::string_view name) { return {name, Kind::text}; }
+constexpr Field indices(std::string_view name) { return {name, Kind::indices}; }
+constexpr Field texts(std::string_view name) { return {name, Kind::texts}; }
+constexpr Field object(std::string_view name, const Shape& shape) { return {name, Kind::object, 0, &shape}; }
+constexpr Field list(std::string_view name, const Shape& shape) { return {name, Kind::list, 0, &shape}; }
+constexpr Field needed(Field field) { return field.needed = true, field; }
+constexpr Field filled(Field field, std::string_view json) { return field.fill = json, field; }
+
+// Files, data and accessors (glTF 2.0, section 5).
+constexpr Field asset_fields[] = {text("version"), text("minVersion")};
+constexpr Shape asset{asset_fields};
+constexpr Field buffer_fields[] = {length("byteLength"), text("uri")};
+constexpr Shape buffer{buffer_fields, sizeof(tinygltf::Buffer)};
+constexpr Field view_fields[] = {needed(index("buffer")), length("byteOffset"), needed(length("byteLength")),
+                                 length("byteStride")};
+constexpr Shape view{view_fields, sizeof(tinygltf::BufferView)};
+constexpr Field sparse_indices_fields[] = {needed(index("bufferView")), index("byteOffset"),
+                                           needed(index("componentType"))};
+constexpr Shape sparse_indices{sparse_indices_fields};
+constexpr Field sparse_values_fields[] = {needed(index("bufferView")), index("byteOffset")};
+constexpr Shape sparse_values{sparse_values_fields};
+constexpr Field sparse_fields[] = {needed(index("count")), needed(object("indices", sparse_indices)),
+                                   needed(object("values", sparse_values))};
+constexpr Shape sparse{sparse_fields};
+constexpr Field accessor_fields[] = {
+    index("bufferView"),     length("byteOffset"), flag("normalized"),      needed(index("componentType")),
+    needed(length("count")), needed(text("type")), object("sparse", sparse)};
+constexpr Shape accessor{accessor_fields, sizeof(tinygltf::Accessor)};
+
+// Meshes and nodes.
+constexpr Field attribute_fields[] = {index("POSITION"),   index("NORMAL"),  index("TEXCOORD_0"),
+                                      index("TEXCOORD_1"), index("COLOR_0"), index("COLOR_1")};
+constexpr Shape attributes{attribute_fields};
+constexpr Shape target{{}, sizeof(std::map<std::string, int>)};
+constexpr Field primitive_fields[] = {needed(object("attributes", attributes)), index("indices"), index("material"),
+                                      index("mode"), list("targets", target)};
+constexpr Shape primitive{primitive_fields, sizeof(tinygltf::Primitive)};
+constexpr Field mesh_fields[] = {text("name"), list("primitives", primitive)};
+constexpr Shape mesh{mesh_fields, sizeof(tinygltf::Mesh)};
+constexpr Field node_light_fields[] = {needed(index("light"))};
+constexpr Shape node_light{node_light_fields};
+constexpr Field node_extension_fields[] = {object("KHR_lights_punctual", node_light)};
+constexpr Shape node_extensions{node_extension_fields};
+constexpr Field node_fields[] = {text("name"),
+                                 index("camera"),
+                                 index("mesh"),
+                                 index("skin"),
+                                 indices("children"),
+                                 numbers("matrix", 16),
+                                 numbers("rotation", 4),
+                                 numbers("scale", 3),
+                                 numbers("translation", 3),
+                                 object("extensions", node_extensions)};
+constexpr Shape node{node_fields, sizeof(tinygltf::Node)};
+constexpr Field scene_fields[] = {text("name"), indices("nodes")};
+constexpr Shape scene{scene_fields, sizeof(tinygltf::Scene)};
+constexpr Field skin_fields[] = {filled(indices("joints"), "[]"), index("inverseBindMatrices")};
+constexpr Shape skin{skin_fields, sizeof(tinygltf::Skin)};
+
+// Materials and textures.
+constexpr Field transform_fields[] = {filled(number("rotation"), "0.0")};  // tinygltf drops empty objects
+constexpr Shape transform{transform_fields};
+constexpr Field texture_extension_fields[] = {object("KHR_texture_transform", transform)};
+constexpr Shape texture_extensions{texture_extension_fields};
+constexpr Field texture_use_fields[] = {needed(index("index")), index("texCoord"),
+                                        object("extensions", texture_extensions)};
+constexpr Shape texture_use{texture_use_fields};
+constexpr Field left_out_fields[] = {filled(index("index"), "0")};
+constexpr Shape left_out{left_out_fields};  // a texture that is noted and not read
+constexpr Field roughness_fields[] = {numbers("baseColorFactor", 4), number("metallicFactor"),
+                                      number("roughnessFactor"), object("baseColorTexture", texture_use),
+                                      object("metallicRoughnessTexture", texture_use)};
+constexpr Shape roughness{roughness_fields};
+constexpr Field strength_fields[] = {number("emissiveStrength")};
+constexpr Shape strength{strength_fields};
+constexpr Field ior_fields[] = {number("ior")};
+constexpr Shape ior{ior_fields};
+constexpr Field transmission_fields[] = {number("transmissionFactor"), object("transmissionTexture", texture_use)};
+constexpr Shape transmission{transmission_fields};
+constexpr Field volume_fields[] = {number("thicknessFactor"), object("thicknessTexture", left_out),
+                                   number("attenuationDistance"), numbers("attenuationColor", 3)};
+constexpr Shape volume{volume_fields};
+constexpr Field material_extension_fields[] = {
+    object("KHR_materials_emissive_strength", strength), object("KHR_materials_ior", ior),
+    object("KHR_materials_transmission", transmission), object("KHR_materials_volume", volume)};
+constexpr Shape material_extensions{material_extension_fields};
+constexpr Field material_fields[] = {text("name"),
+                                     flag("doubleSided"),
+                                     text("alphaMode"),
+                                     numbers("emissiveFactor", 3),
+                                     object("emissiveTexture", texture_use),
+                                     object("normalTexture", left_out),
+                                     object("occlusionTexture", left_out),
+                                     object("pbrMetallicRoughness", roughness),
+                                     object("extensions", material_extensions)};
+constexpr Shape material{material_fields, sizeof(tinygltf::Material)};
+constexpr Field texture_fields[] = {index("source"), index("sampler")};
+constexpr Shape texture{texture_fields, sizeof(tinygltf::Texture)};
+constexpr Field sampler_fields[] = {index("magFilter"), index("wrapS"), index("wrapT")};
+constexpr Shape sampler{sampler_fields, sizeof(tinygltf::Sampler)};
+constexpr Field image_fields[] = {index("bufferView"), text("uri")};
+constexpr Shape image{image_fields, sizeof(tinygltf::Image)};
+
+// Cameras and lights.
+constexpr Field perspective_fields[] = {needed(number("yfov")), needed(number("znear")), number("aspectRatio")};
+constexpr Shape perspective{perspective_fields};
+constexpr Field orthographic_fields[] = {needed(number("xmag")), needed(number("ymag")), filled(number("znear"), "0"),
+                                         filled(number("zfar"), "0")};
+constexpr Shape orthographic{orthographic_fields};
+constexpr Field camera_fields[] = {text("name"), filled(text("type"), "\"\""), object("perspective", perspective),
+                                   object("orthographic", orthographic)};
+constexpr Shape camera{camera_fields, sizeof(tinygltf::Camera)};
+constexpr Field spot_fields[] = {number("innerConeAngle"), number("outerConeAngle")};
+constexpr Shape spot{spot_fields};
+constexpr Field light_fields[] = {text("name"),        filled(text("type"), "\"\""),
+                                  numbers("color", 3), number("intensity"),
+                                  number("range"),     filled(object("spot", spot), "{}")};
+constexpr Shape light{light_fields, sizeof(tinygltf::Light) + 6 * sizeof(tinygltf::Value)};
+constexpr Field lights_fields[] = {list("lights", light)};
+constexpr Shape lights{lights_fields};
+constexpr Field root_extension_fields[] = {object("KHR_lights_punctual", lights)};
+constexpr Shape root_extensions{root_extension_fields};
+
+// Animations.
+constexpr Field channel_target_fields[] = {filled(index("node"), "-1"), filled(text("path"), "\"\"")};
+constexpr Shape channel_target{channel_target_fields};
+constexpr Field channel_fields[] = {needed(object("target", channel_target)), needed(index("sampler"))};
+constexpr Shape channel{channel_fields, sizeof(tinygltf::AnimationChannel)};
+constexpr Field keys_fields[] = {needed(index("input")), needed(index("output")), text("interpolation")};
+constexpr Shape keys{keys_fields, sizeof(tinygltf::AnimationSampler)};
+constexpr Field animation_fields[] = {text("name"), list("channels", channel), list("samplers", keys)};
+constexpr Shape animation{animation_fields, sizeof(tinygltf::Animation)};
+
+constexpr Field root_fields[] = {object("asset", asset),
+                                 texts("extensionsUsed"),
+                                 list("buffers", buffer),
+                                 list("bufferViews", view),
+                                 list("accessors", accessor),
+                                 list("meshes", mesh),
+                                 list("nodes", node),
+                                 list("scenes", scene),
+                                 index("scene"),
+                                 list("skins", skin),
+                                 list("materials", material),
+                                 list("textures", texture),
+                                 list("samplers", sampler),
+                                 list("images", image),
+                                 list("cameras", camera),
+                                 list("animations", animation),
+                                 object("extensions", root_extensions)};
+
+}  // namespace
+
+const Shape root_shape{root_fields, 0};
+
+}  // namespace crsh::scene

@@ -1,0 +1,43 @@
+#pragma once
+// What the objects of a glTF file hold, as far as crsh reads them: one table. What it does not name is never looked at.
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace crsh::scene {
+
+/// What a field holds.
+enum class Kind {
+  index,    ///< a whole number below 2^31: a place in a list, or one of glTF's codes
+  length,   ///< a whole number up to 2^40: bytes or elements
+  number,   ///< finite
+  numbers,  ///< an array of `count` finite numbers
+  flag,
+  text,
+  indices,  ///< an array of them
+  texts,    ///< an array of them
+  object,   ///< of `shape`
+  list      ///< an array of objects of `shape`
+};
+
+struct Shape;
+
+struct Field {
+  std::string_view name;
+  Kind kind;
+  size_t count = 0;
+  const Shape* shape = nullptr;
+  bool needed = false;         ///< a Fault where it is missing
+  std::string_view fill = {};  ///< the JSON put in where it is missing, because tinygltf would refuse the file
+};
+
+struct Shape {
+  std::span<const Field> fields;
+  size_t bytes = 0;  ///< what tinygltf makes of one in a list takes about so much memory
+};
+
+/// The whole file's.
+extern const Shape root_shape;
+
+}  // namespace crsh::scene

@@ -1,0 +1,41 @@
+#pragma once
+// glTF textures and their images.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "scene/gltf/document.h"
+#include "scene/gltf/extension.h"
+#include "scene/gltf/fault.h"
+#include "scene/scene.h"
+
+namespace crsh::scene {
+
+/// Reads images and textures when a material first asks for them.
+class TextureReader {
+ public:
+  TextureReader(Document& document, Scene& scene, Notes& notes) : document_(document), scene_(scene), notes_(notes) {}
+
+  /// The texture that a material names, if it can be drawn.
+  [[nodiscard]] TextureUse use(const tinygltf::TextureInfo& info);
+  /// The same for a field of a material's extension.
+  [[nodiscard]] TextureUse use(const Extension& extension, const std::string& key);
+
+ private:
+  TextureUse use(int index, int texcoord, bool transformed);
+  std::optional<uint32_t> texture(int index);
+  std::optional<uint32_t> read_texture(int index);
+  std::optional<uint32_t> image(int index);
+  std::optional<uint32_t> read_image(int index);
+  Image decoded(const ImageSource& source);
+
+  Document& document_;
+  Scene& scene_;
+  Notes& notes_;
+  std::map<int, std::optional<uint32_t>> textures_, images_;
+  uint64_t texels_ = 0;
+};
+
+}  // namespace crsh::scene
