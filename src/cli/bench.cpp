@@ -14,12 +14,12 @@
 #include "bench/paper_tables.h"
 #include "bench/report.h"
 #include "cli/bench_options.h"
+#include "cli/load_scene.h"
 #include "cli/mend.h"
 #include "crsh/error.h"
 #include "output/json_text.h"
 #include "output/progress.h"
 #include "output/whole_file.h"
-#include "scene/gltf/load.h"
 #include "scene/hide.h"
 #include "scene/scene.h"
 
@@ -60,12 +60,18 @@ std::string name_of(const BenchCommand& command, size_t scene) {
   return all > 1 ? fmt::format("{} {}", stem(scene), before + 1) : stem(scene);
 }
 
+/// Whether --allow-outside is said of all scenes or of this one.
+bool allows_outside(const BenchCommand& command, const BenchScene& scene) {
+  const auto says_so = [](const Given& one) { return one.key == "allow-outside" && one.value == "true"; };
+  return command.common.allow_outside || std::ranges::any_of(scene.given, says_so);
+}
+
 /// All of them, before anything is measured: a wrong path is known at once.
 std::vector<scene::Scene> load_scenes(const BenchCommand& command) {
   std::vector<scene::Scene> scenes;
   for (const BenchScene& asked : command.scenes) {
     const RenderOptions options = variants_of(command, asked).front().options;
-    scenes.push_back(scene::load(asked.path, options.scene));
+    scenes.push_back(load_scene(asked.path, options.scene, allows_outside(command, asked)));
     scene::hide(scenes.back(), options.hidden);
     if (const auto& missing = scenes.back().unsupported; !missing.empty())
       say(command, fmt::format("{}: not supported and left out: {}", asked.path, fmt::join(missing, "; ")));

@@ -4,11 +4,11 @@
 
 #include "cli/command.h"
 #include "cli/info_text.h"
+#include "cli/load_scene.h"
 #include "cli/rows.h"
 #include "crsh/error.h"
 #include "output/json_text.h"
 #include "output/whole_file.h"
-#include "scene/gltf/load.h"
 
 namespace crsh::cli {
 namespace {
@@ -26,6 +26,7 @@ const char* const notes =
 struct InfoCommand {
   std::string scene;
   bool json = false;
+  bool allow_outside = false;
 };
 
 void info_of_devices(bool json) {
@@ -38,7 +39,7 @@ void info_of_devices(bool json) {
 
 void run_info(const InfoCommand& command) {
   if (command.scene.empty()) return info_of_devices(command.json);
-  const scene::Scene scene = scene::load(command.scene);
+  const scene::Scene scene = load_scene(command.scene, {}, command.allow_outside);
   output::write_stdout(command.json ? output::json_text(scene_json(scene)) : scene_text(scene));
 }
 
@@ -46,14 +47,15 @@ void run_info(const InfoCommand& command) {
 
 Command info_command() {
   auto command = std::make_shared<InfoCommand>();
-  return {.name = "info",
-          .summary = "Lists the Vulkan devices, or what is in a scene.",
-          .positionals = {{.name = "SCENE",
-                           .required = false,
-                           .set = [command](const std::string& path) { command->scene = path; }}},
-          .groups = {{"Options", {flag("--json", "As JSON.", command->json)}}},
-          .epilogue = notes,
-          .run = [command](const std::vector<std::string>&) { run_info(*command); }};
+  return {
+      .name = "info",
+      .summary = "Lists the Vulkan devices, or what is in a scene.",
+      .positionals = {{.name = "SCENE",
+                       .required = false,
+                       .set = [command](const std::string& path) { command->scene = path; }}},
+      .groups = {{"Options", {flag("--json", "As JSON.", command->json), allow_outside_row(command->allow_outside)}}},
+      .epilogue = notes,
+      .run = [command](const std::vector<std::string>&) { run_info(*command); }};
 }
 
 }  // namespace crsh::cli

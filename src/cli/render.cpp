@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/load_scene.h"
 #include "cli/mend.h"
 #include "cli/render_checks.h"
 #include "cli/render_options.h"
@@ -24,7 +25,6 @@
 #include "output/stats_json.h"
 #include "output/whole_file.h"
 #include "rays/hash.h"
-#include "scene/gltf/load.h"
 #include "scene/hide.h"
 #include "scene/scene.h"
 
@@ -192,7 +192,8 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   check_combinations(command);
   check_places(command);
   drop_unused_layers(command);
-  const auto scene = std::make_shared<scene::Scene>(scene::load(command.scene, command.options.scene));
+  const auto scene =
+      std::make_shared<scene::Scene>(load_scene(command.scene, command.options.scene, command.allow_outside));
   scene::hide(*scene, command.options.hidden);
   const RayTable rays = command.replay_rays.empty() ? RayTable() : read_replay(command);
   count_bounces_of(rays, command.options.bounces);

@@ -182,7 +182,8 @@ Option hide_row(std::vector<std::string>& hidden) {
       .pixels = true};
 }
 
-OptionGroup scene_options(RenderOptions& options) {
+OptionGroup scene_options(RenderCommand& command) {
+  RenderOptions& options = command.options;
   return {"Scene and view",
           {changes_pixels(with_default("the file's default",
                                        text("--scene", "INDEX|NAME", "Which of the file's scenes.", options.scene))),
@@ -191,7 +192,7 @@ OptionGroup scene_options(RenderOptions& options) {
            vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
            vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
            fov_row(options.view.fov_degrees), orthographic_row(options.view.orthographic_height),
-           light_row(options.lights), hide_row(options.hidden)}};
+           light_row(options.lights), hide_row(options.hidden), allow_outside_row(command.allow_outside)}};
 }
 
 FrameRange parse_frames(const std::string& text) {
@@ -321,7 +322,7 @@ OptionGroup output_options(RenderCommand& command) {
 std::vector<OptionGroup> render_options(RenderCommand& command) {
   return {output_options(command),
           picture_options(command.options),
-          scene_options(command.options),
+          scene_options(command),
           time_options(command),
           algorithm_options(command.options.algorithm),
           device_options(command)};

@@ -42,6 +42,7 @@ struct RenderCommand {
   float frames_per_second = 24;
   ProgressChoice progress = ProgressChoice::automatic;
   bool quiet = false, verbose = false;
+  bool allow_outside = false;  ///< files that the scene names may lie outside its folder
 };
 
 /// All tables, bound to `command`. Rows are set in this order.

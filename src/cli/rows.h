@@ -22,6 +22,10 @@ inline Option flag(std::string names, std::string help, bool& variable) {
           .get = [&variable] { return variable; }};
 }
 
+inline Option allow_outside_row(bool& variable) {
+  return flag("--allow-outside", "Read files that the scene names even where they lie outside its folder.", variable);
+}
+
 /// Text that may be anything; null when empty.
 inline Option text(std::string names, std::string value, std::string help, std::string& variable) {
   return {

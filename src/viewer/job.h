@@ -20,10 +20,11 @@ namespace crsh::viewer {
 struct Wish {
   bool operator==(const Wish&) const = default;
   std::filesystem::path path;
-  std::string which;      ///< of the file's scenes
-  uint64_t load = 0;      ///< another number than the last: the file is to be loaded
-  uint64_t scene = 0;     ///< number of the load that `options` are for
-  RenderOptions options;  ///< size and layers included; one sample
+  std::string which;           ///< of the file's scenes
+  bool allow_outside = false;  ///< files that it names may lie outside its folder
+  uint64_t load = 0;           ///< another number than the last: the file is to be loaded
+  uint64_t scene = 0;          ///< number of the load that `options` are for
+  RenderOptions options;       ///< size and layers included; one sample
   double seconds = 0;
   bool moving = false;                    ///< coarse and quick, else fine
   float budget_ms = 50;                   ///< of a coarse frame

@@ -169,6 +169,7 @@ Wish Model::wish() const {
   Wish wish;
   wish.path = path;
   wish.which = command.options.scene;
+  wish.allow_outside = command.allow_outside;
   wish.load = load;
   wish.scene = loaded ? loaded->number : 0;
   RenderOptions& options = wish.options = command.options;

@@ -5,10 +5,10 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "cli/load_scene.h"
 #include "cli/mend.h"
 #include "crsh/error.h"
 #include "frame/borrowed.h"
-#include "scene/gltf/load.h"
 #include "scene/hide.h"
 
 namespace crsh::viewer {
@@ -185,7 +185,7 @@ void Worker::load() {
   say("reading " + wish_.path.filename().string(), 0);
   auto loaded = std::make_shared<LoadedScene>();
   loaded->number = wish_.load;
-  loaded->scene = scene::load(wish_.path, wish_.which);
+  loaded->scene = cli::load_scene(wish_.path, wish_.which, wish_.allow_outside);
   renderer_.reset();
   loaded_ = loaded;
   {
