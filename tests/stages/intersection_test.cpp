@@ -161,6 +161,21 @@ TEST_CASE("a closest hit goes to the lower triangle on a tie, and shadows add up
   CHECK(tinted > 10);
 }
 
+TEST_CASE("a ray of each kind begins as its row says: all light comes through, or nothing is hit") {
+  Random random(6);
+  std::vector<std::vector<shared::Ray>> lists;
+  for (uint32_t kind = 0; kind < kind_count; ++kind) lists.push_back(stray_rays(random, {Triangle{}}, 1, kind));
+  const SortedBatch rays = make_batch(device(), lists);
+  const gpu::Buffer hits = gpu::upload(device(), std::vector<glm::uvec4>(kind_count, glm::uvec4(7)), "hits");
+  gpu::Recorder recorder(device());
+  intersection::clear(recorder, rays.batch, hits);
+  const std::vector<glm::uvec4> begun = recorder.read<glm::uvec4>(hits, kind_count);
+  for (uint32_t kind = 0; kind < kind_count; ++kind) {
+    CAPTURE(ray_kinds[kind].name);
+    CHECK(begun[kind] == (ray_kinds[kind].any_hit ? glm::uvec4(0) : glm::uvec4(0x7F800000, shared::none, 0, 0)));
+  }
+}
+
 TEST_CASE("brute force counts rays times triangles, also past 65,535 triangles and in small submits") {
   Tracer tracer(device());
   const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = wall(188)}});

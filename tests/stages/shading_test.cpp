@@ -168,6 +168,50 @@ TEST_CASE("gathering follows slots to rays to children, by kind, and takes the b
   CHECK(recorder.read<glm::vec4>(gathered.brought[shared::kind_refraction], 3)[1].r == 2);
 }
 
+TEST_CASE("in a batch the rays of two closest-hit kinds need not follow each other") {
+  gpu::Recorder recorder(test::device());
+  gpu::Device& device = test::device();
+  test::HandMade made = test::upload_points(std::vector<Point>(2));
+  for (const uint32_t kind : {shared::kind_reflection, shared::kind_refraction})
+    made.generation.weights[kind] = gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(1)), "weights");
+  const gpu::Buffer totals =
+      gpu::upload(device, std::vector<glm::vec4>{glm::vec4(2), glm::vec4(3), glm::vec4(5)}, "totals");
+  surfaces::Children children;
+  children.ends =
+      gpu::upload(device, std::vector<uint32_t>{1, 2, 3, 4, 4, 5}, "ends");  // slots 2 and 3: another kind's
+  children.surfaces = 2;
+  children.of_kind[shared::kind_reflection] = {0, 0, 2, 0};
+  children.of_kind[shared::kind_refraction] = {4, 4, 1, 2};
+  children.totals = &totals;
+  made.generation.children.push_back(std::move(children));
+  shading::Gathered gathered;
+  shading::gather(recorder, made.generation, glm::vec3(0), gathered);
+  const auto total = recorder.read<glm::vec4>(gathered.total, 2);
+  CHECK(total[0].r == 2);
+  CHECK(total[1].r == 8);
+}
+
+TEST_CASE("what rays of one any-hit kind saw is added to its pixels alone, wherever its segments lie") {
+  gpu::Recorder recorder(test::device());
+  gpu::Device& device = test::device();
+  std::vector<Point> points(2);
+  points[1].pixel = 1;
+  const test::HandMade made = test::upload_points(points);
+  test::SmallScene small;
+  small.material(test::matt(glm::vec3(1)));
+  const scene::GpuScene gpu = small.on(recorder);
+  const rays::BatchPlan plan{{{shared::kind_reflection, 0}, {shared::kind_shadow, 0}, {shared::kind_shadow, 1}}, 0, 2};
+  const gpu::Buffer ends = gpu::upload(device, std::vector<uint32_t>{1, 2, 3, 4, 4, 5}, "ends");
+  std::vector<shared::Hit> found(5, shared::Hit{glm::uvec4(UINT32_MAX)});
+  found[4].words = glm::uvec4(0);  // the second light, from the second surface
+  const gpu::Buffer hits = gpu::upload(device, found, "hits");
+  const gpu::Buffer pixels = gpu::upload(device, std::vector<glm::vec4>(2, glm::vec4(0)), "pixels");
+  shading::add_visibility(recorder, {made.surfaces, gpu, plan, ends, hits}, shared::kind_shadow, pixels);
+  const auto sums = recorder.read<glm::vec4>(pixels, 2);
+  CHECK(glm::vec2(sums[0]) == glm::vec2(0, 1));
+  CHECK(glm::vec2(sums[1]) == glm::vec2(1, 2));
+}
+
 TEST_CASE("kinds in batches of their own gather the same") {
   gpu::Recorder recorder(test::device());
   gpu::Device& device = test::device();
