@@ -17,17 +17,17 @@ struct RayTable {
   std::vector<float> tmax;           ///< metres; infinity for closest-hit rays
   std::vector<uint32_t> kind;        ///< shared::kind_*
   std::vector<uint32_t> bounce;      ///< surfaces passed
-  std::vector<uint32_t> light;       ///< of shadow rays
+  std::vector<uint32_t> light;       ///< where there is a ray a light: its index
   // Where it belongs.
   std::vector<uint32_t> pixel;  ///< row-major in the image
-  std::vector<uint32_t> path;   ///< 1, then a bit a bounce: 0 reflected, 1 refracted
+  std::vector<uint32_t> path;   ///< 1, then shared::path_bits a bounce: RayKind::turn (0 reflected, 1 refracted)
   std::vector<uint32_t> batch;  ///< rays of one batch, bounce, kind and light are sorted and bundled together
   // What became of it.
   std::vector<uint64_t> key;     ///< its hash, without kind and light; 0 where rays are not sorted
   std::vector<uint32_t> sorted;  ///< its place among all rays after sorting; batches follow each other
   std::vector<uint32_t> hit;     ///< the closest triangle, in the order in which the scene draws them, or `none`
   std::vector<float> t;          ///< where; infinity: nothing
-  std::vector<glm::uvec3> transmittance;  ///< of shadow rays: shared::Hit's words
+  std::vector<glm::uvec3> transmittance;  ///< of any-hit rays: shared::Hit's words
 
   uint32_t width = 0, height = 0;  ///< of the image; 0: unknown
 

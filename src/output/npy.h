@@ -28,8 +28,8 @@ struct NpyArray {
 
 [[nodiscard]] std::string encode_npy(const NpyArray& array);
 
-/// Versions 1 to 3 of the format; types of NpyType, little-endian, numbers with 1 to 8 bytes. Throws UserError that begins with
-/// `name`.
+/// Versions 1 to 3 of the format; types of NpyType, little-endian, numbers with 1 to 8 bytes. Throws UserError that
+/// begins with `name`.
 [[nodiscard]] NpyArray decode_npy(std::string bytes, const std::string& name);
 
 }  // namespace crsh::output

@@ -9,8 +9,8 @@
 
 namespace crsh::rays {
 
-/// A run of rays of one kind (and one light, where there is one a light). Nodes never cross its ends, so that counters do not
-/// depend on what else is in the batch.
+/// A run of rays of one kind (and one light, where there is one a light). Nodes never cross its ends, so that counters
+/// do not depend on what else is in the batch.
 struct Segment {
   uint32_t kind = 0;              ///< shared::kind_*
   uint32_t light = 0;             ///< where there is one a light: its index

@@ -18,8 +18,8 @@ struct Gathered {
 /// Whether what each kind of rays brought is kept apart besides.
 enum class Parts { unwanted, wanted };
 
-/// total = emission + direct + weight × child's total for each closest-hit kind, by rising number; or `background` where
-/// nothing was met. Every Children of the generation needs its `totals`; generations after the last have none.
+/// total = emission + direct + weight × child's total for each closest-hit kind, by rising number; or `background`
+/// where nothing was met. Every Children of the generation needs its `totals`; generations after the last have none.
 void gather(gpu::Recorder& recorder, const surfaces::Generation& generation, glm::vec3 background, Gathered& out,
             Parts parts = Parts::unwanted);
 

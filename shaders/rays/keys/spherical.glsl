@@ -1,6 +1,6 @@
-// The paper's hashes (section 3.2.2). Figure 2, shadow rays, which share their origin: theta and phi of the direction, concatenated, 5 bits each.
-// Figure 3, reflection and refraction rays: before them the origin's place in the scene, concatenated, 5 bits an axis.
-// The paper does not say how many bits; 5 reproduce its Sponza.
+// The paper's hashes (section 3.2.2). Figure 2, rays that share their origin, from a light: theta and phi of the
+// direction, concatenated, 5 bits each. Figure 3, reflection and refraction rays: before them the origin's place in the
+// scene, concatenated, 5 bits an axis. The paper does not say how many bits; 5 reproduce its Sponza.
 #include "lib/cell.glsl"
 #include "lib/spherical.glsl"
 
