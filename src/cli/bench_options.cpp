@@ -52,8 +52,8 @@ std::vector<OptionGroup> scene_groups(RenderCommand& render, std::vector<Given>&
 }
 
 std::vector<std::string> algorithm_words() {
-  std::vector<std::string> words = preset_names();
-  words.emplace_back(ray_query_preset);
+  std::vector<std::string> words;
+  for (const Preset& row : preset_table()) words.emplace_back(row.name);
   return words;
 }
 

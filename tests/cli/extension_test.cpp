@@ -1,62 +1,58 @@
-// What CONTRIBUTING.md says of keys and bounds of one's own, done as it stands there: in NumPy, and in a copy of the
-// tree.
+// What CONTRIBUTING.md tells those who add to the renderer, done as it stands there: in copies of the tree, and in NumPy.
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "output/image.h"
 #include "output/whole_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
+#include "tree_copy.h"
 
 namespace crsh {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
-const fs::path tree = CRSH_SOURCE_DIR;
 const std::string office = CRSH_SOURCE_DIR "/scenes/office.glb";
 const std::string python = "/usr/bin/python3";  // Debian's, which its NumPy belongs to
 
-/// The code between ``` that follows these words.
-std::string code_after(const std::string& words) {
-  const std::string text = output::read_whole(tree / "CONTRIBUTING.md");
-  const size_t at = text.find(words);
-  REQUIRE(at != std::string::npos);
-  const size_t begin = text.find('\n', text.find("```", at)) + 1;
-  return text.substr(begin, text.find("```", begin) - begin);
+bool make_is_here() {
+  if (test::run_program("make", {"--version"}).status == 0) return true;
+  MESSAGE("skipped: make is not here");
+  return false;
 }
 
-test::Outcome run(const std::string& program, const std::vector<std::string>& arguments) {
-  const test::Outcome outcome = test::run_program(program, arguments);
-  CAPTURE(program);
+void require_done(const test::Outcome& outcome, const std::string& command) {
+  CAPTURE(command);
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
   REQUIRE(outcome.status == 0);
-  return outcome;
 }
 
-/// A copy of what shaders are made of, with two new ones, and this build's compiled ones, which are younger than their
-/// sources: make compiles only what is new.
-void copy_tree(const fs::path& copy) {
-  for (const char* folder : {"shaders", "tools/cmake", "src/gpu", "tests/extension"}) {
-    fs::create_directories(copy / folder);
-    run("cp", {"-a", (tree / folder / ".").string(), (copy / folder).string()});
+/// Does what the step tells, but for the commands that only show what it is worth. Their count.
+size_t run_commands(const test::TreeCopy& copy, const test::Recipe& recipe) {
+  size_t run = 0;
+  for (const std::string& command : recipe.commands) {
+    if (command.find(" bench ") != std::string::npos) continue;
+    require_done(copy.run(command), command);
+    ++run;
   }
-  output::write_whole(copy / "shaders/rays/keys/octant.glsl", code_after("`shaders/rays/keys/octant.glsl`:"));
-  output::write_whole(copy / "shaders/hierarchy/bounds/slab-plane.glsl",
-                      code_after("`shaders/hierarchy/bounds/slab-plane.glsl`:"));
-  fs::create_directories(copy / "build/shaders");
-  run("cp", {"-r", CRSH_BUILD_DIR "/shaders/.", (copy / "build/shaders").string()});
+  return run;
 }
 
-void build(const fs::path& copy) {
-  run("cmake", {"-G", "Unix Makefiles", "-S", (copy / "tests/extension").string(), "-B", (copy / "build").string(),
-                "-DCOPY=" + copy.string(), "-DBUILD=" CRSH_BUILD_DIR, "-DCMAKE_BUILD_TYPE=Release"});
-  run("cmake", {"--build", (copy / "build").string(), "--target", "crsh", "-j2"});
+bool any_test_fails(const test::TreeCopy& copy, const test::Recipe& recipe) {
+  for (const std::string& command : recipe.commands)
+    if (command.find("build/test_") != std::string::npos && copy.run(command).status != 0) return true;
+  return false;
+}
+
+std::vector<std::string> joined(std::vector<std::string> files, const std::vector<std::string>& more) {
+  files.insert(files.end(), more.begin(), more.end());
+  return files;
 }
 
 uint64_t paper_tests(const json& run) {
@@ -65,29 +61,95 @@ uint64_t paper_tests(const json& run) {
   return sum;
 }
 
-TEST_CASE("the key and the bound that CONTRIBUTING adds, built in a copy of the tree, are benched beside the others") {
-  if (test::run_program("make", {"--version"}).status != 0) {
-    MESSAGE("skipped: make is not here");
-    return;
-  }
-  const fs::path copy = fs::path(CRSH_BUILD_DIR) / "extension";  // no blanks in the path: make dislikes them
-  fs::remove_all(copy);
-  copy_tree(copy);
-  build(copy);
-  const test::Outcome outcome =
-      run((copy / "build/crsh").string(),
-          {"bench", office, "-q", "--size", "64x48", "--bounces", "1", "--algorithms", "bvh,crsh", "--vary",
-           "key=best,octant", "--vary", "bound=slab,slab-plane", "--repeat", "1", "--warmup", "0", "--json", "-"});
+/// The new key, bound and algorithm beside others: none loses a hit.
+void check_bench(const test::TreeCopy& copy) {
+  const test::Outcome outcome = copy.run(
+      "build/crsh bench scenes/office.glb -q --size 64x48 --bounces 1 --algorithms bvh,crsh,rah-sorted --vary "
+      "key=best,octant --vary bound=slab,slab-plane --repeat 1 --warmup 0 --json -");
+  require_done(outcome, "bench");
   const json runs = json::parse(outcome.out)["runs"];
-  REQUIRE(runs.size() == 5);
+  REQUIRE(runs.size() == 9);
   CHECK(runs[4]["options"]["bound"] == "slab-plane");
   CHECK(runs[4]["options"]["key"]["shadow"] == "octant");
-  for (const json& each : runs)  // none loses a hit
+  CHECK(runs[8]["options"]["algorithm"] == "rah-sorted");
+  CHECK(runs[6]["options"]["key"]["shadow"] == "spherical");  // the algorithm's own best
+  for (const json& each : runs)
     for (size_t row = 0; row < each["rays"].size(); ++row)
       CHECK(each["rays"][row]["hits_digest"] == runs[0]["rays"][row]["hits_digest"]);
   CHECK(paper_tests(runs[1]) != paper_tests(runs[3]));  // another key makes other nodes
   CHECK(paper_tests(runs[2]) < paper_tests(runs[1]));   // the tighter bound needs fewer tests
-  fs::remove_all(copy);
+}
+
+TEST_CASE("a key, a bound and an algorithm are added as CONTRIBUTING tells, and the tests it names know them") {
+  if (!make_is_here()) return;
+  const test::Recipe key = test::recipe("A sort key"), bound = test::recipe("A node bound"),
+                     algorithm = test::recipe("An algorithm");
+  CHECK(key.files().size() == 1);
+  CHECK(bound.files().size() == 1);
+  CHECK(algorithm.files().size() == 1);
+  test::TreeCopy copy("extension");
+  copy.apply(key), copy.apply(bound), copy.apply(algorithm);
+  copy.build(joined(test::tests_in("stages"), joined(test::tests_in("properties"), test::tests_in("images"))));
+  CHECK(copy.compiled() == 1);
+  CHECK(run_commands(copy, key) == 2);
+  CHECK(run_commands(copy, bound) == 2);
+  CHECK(run_commands(copy, algorithm) == 2);
+  check_bench(copy);
+  // Faults: a key with more bits than it says, and a bound that takes its slack from what it should leave.
+  copy.replace("shaders/rays/keys/octant.glsl", "<< 12 |", "<< 13 |");
+  copy.replace("shaders/hierarchy/bounds/slab-plane.glsl", "slack = 1e-5", "slack = -1e-1");
+  copy.build(joined(test::tests_in("stages"), joined(test::tests_in("properties"), test::tests_in("images"))));
+  CHECK(any_test_fails(copy, key));
+  CHECK(any_test_fails(copy, bound));
+}
+
+/// The layer of one channel, 0 to 1, has more than one value.
+void check_shares(const test::TreeCopy& copy, const std::string& file, const std::string& channel) {
+  const output::Image image = output::read_image((copy.path() / file).string());
+  const output::Channel* found = image.find(channel);
+  REQUIRE(found);
+  double low = 2, high = -1;
+  for (size_t pixel = 0; pixel < found->bits.size(); ++pixel)
+    low = std::min(low, found->value(pixel)), high = std::max(high, found->value(pixel));
+  CHECK(low >= 0);
+  CHECK(high > low);
+  CHECK(high <= 1);
+}
+
+/// Statistics and completion have the kind, it is cast where its row says, and single rays see the same as nodes.
+void check_kind(const test::TreeCopy& copy) {
+  uint64_t rays = 0;
+  for (const json& row : json::parse(output::read_whole(copy.path() / "occlusion.json"))["rays"])
+    if (row["kind"] == "occlusion") {
+      CHECK((row["count"].get<uint64_t>() > 0) == (row["bounce"] == 0));
+      rays += row["count"].get<uint64_t>();
+    }
+  CHECK(rays > 0);
+  CHECK(copy.run("build/crsh completion bash | grep -q occlusion").status == 0);
+  const std::string render = "build/crsh render scenes/office.glb -q --size 48x36 --rays shadow,reflection,occlusion ";
+  require_done(copy.run(render + "--layers beauty,Occlusion --algorithm crsh -o a.exr"), "crsh");
+  require_done(copy.run(render + "--layers beauty,Occlusion --algorithm bvh -o b.exr"), "bvh");
+  CHECK(copy.run("build/crsh diff --exact --layers beauty,Occlusion a.exr b.exr").status == 0);
+}
+
+TEST_CASE("a layer and a ray kind are added as CONTRIBUTING tells: statistics, files, help and the viewer have them") {
+  if (!make_is_here()) return;
+  const test::Recipe layer = test::recipe("A layer"), kind = test::recipe("A ray kind");
+  CHECK(layer.files().size() <= 2);
+  CHECK(kind.files().size() <= 3);
+  test::TreeCopy copy("extension");
+  copy.apply(layer), copy.apply(kind);
+  copy.build({"tests/images/layers_test.cpp", "tests/unit/kinds_test.cpp"});
+  CHECK(copy.compiled() > 20);
+  CHECK(run_commands(copy, layer) == 2);
+  CHECK(run_commands(copy, kind) == 3);
+  check_shares(copy, "roughness.exr", "Roughness");
+  check_shares(copy, "occlusion.exr", "Occlusion.Y");
+  check_kind(copy);
+  for (const std::string name : {"Roughness", "Occlusion"})
+    CHECK(copy.run("build/crsh help render | grep -q '^  " + name + " '").status == 0);
+  for (const std::string name : {"roughness", "occlusion"})
+    CHECK(copy.run("build/show_names | grep -qx " + name).status == 0);
 }
 
 TEST_CASE("the key that CONTRIBUTING works out in NumPy sorts rays that are replayed") {
@@ -97,9 +159,9 @@ TEST_CASE("the key that CONTRIBUTING works out in NumPy sorts rays that are repl
   }
   const test::TemporaryFolder folder;
   const auto in_folder = [&](const std::string& command) {
-    run("sh", {"-c", "cd '" + folder.path().string() + "' && " + command});
+    require_done(test::run_program("sh", {"-c", "cd '" + folder.path().string() + "' && " + command}), command);
   };
-  output::write_whole(folder / "key.py", code_after("```python"));
+  output::write_whole(folder / "key.py", test::code_after("```python"));
   const std::string render = "'" + test::crsh_path() + "' render '" + office + "' -q --bounces 0 ";
   in_folder(render + "--size 32x24 --dump-rays rays.npz --stats before.json");
   in_folder(python + " key.py");
