@@ -63,7 +63,7 @@ struct News {
   double done = 0;            ///< of the phase, 0 to 1
   std::string error;          ///< a line; empty: none
   uint64_t error_number = 0;  ///< another one for each error
-  bool rests = false;         ///< the wish is fulfilled, all samples included
+  uint64_t rests_at = 0;      ///< the wish that is fulfilled, all samples included, by its number; 0: none yet
   uint64_t device_bytes = 0;
 };
 

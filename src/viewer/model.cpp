@@ -154,7 +154,8 @@ bool Model::fine() const {
   return !wish_moves && is_fine(left.shown) && (!two_pictures() || is_fine(news.right));
 }
 
-bool Model::rests() const { return !wish_moves && news.rests && news.loaded == loaded; }
+/// The news may be older than the wish: what rests is named by its number.
+bool Model::rests() const { return !wish_moves && wish_number && news.rests_at == wish_number; }
 
 double Model::exposure() const {
   if (command.exposure || !left.shown) return command.exposure.value_or(0);

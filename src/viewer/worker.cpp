@@ -43,7 +43,6 @@ uint64_t Worker::want(const Wish& wish) {
     const std::lock_guard lock(mutex_);
     if (wish == wanted_) return version_;
     wanted_ = wish;
-    news_.rests = false;
     ++version_;
   }
   changed_.notify_all();
@@ -65,11 +64,17 @@ bool Worker::more_to_do() const {
   return samples_ == 0 || (wish_.other ? !right_done_ : samples_ < wish_.most_samples);
 }
 
+/// Nothing more will come of the wish. After a load another wish follows, which knows the scene: that one rests.
+bool Worker::fulfilled() const {
+  if (more_to_do()) return false;
+  return given_up_ || !loaded_ || wish_.load == 0 || wish_.scene == loaded_->number;
+}
+
 /// Waits for something to do; returns false when there never will be.
 bool Worker::take_wish() {
   std::unique_lock lock(mutex_);
-  if (!more_to_do() && version_ == taken_ && !news_.rests) {
-    news_.rests = true;
+  if (fulfilled() && version_ == taken_ && news_.rests_at != taken_) {
+    news_.rests_at = taken_;
     lock.unlock(), wake_(), lock.lock();
   }
   const auto something = [this] { return quit_ || version_ != taken_ || more_to_do(); };

@@ -49,6 +49,7 @@ class Worker {
   void say_error(const std::string& message);
   [[nodiscard]] bool outdated() const;
   [[nodiscard]] bool more_to_do() const;
+  [[nodiscard]] bool fulfilled() const;
 
   gpu::Device& device_;
   std::function<void()> wake_;

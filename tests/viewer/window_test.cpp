@@ -33,6 +33,32 @@ TEST_CASE("it opens, draws, and its screenshot is the whole window" * doctest::t
   CHECK(image.height == 480);
 }
 
+TEST_CASE("--after without a script ends with the picture, however early the renderer's thread comes to rest") {
+  for (int again = 0; again < 3; ++again) {
+    const TemporaryFolder folder;
+    std::vector<std::string> options = {cornell,  "--after",       "3", "--screenshot", folder / "a.png",
+                                        "--save", folder / "b.png"};
+    options.insert(options.end(), quick.begin(), quick.end());
+    check_well(test::run_program(CRSH_BUILD_DIR "/crsh-view", options));
+    CHECK(output::read_image(folder / "a.png").width > 100);
+    CHECK(output::read_image(folder / "b.png").width > 100);
+  }
+}
+
+TEST_CASE("a script's first wait ends with a picture") {
+  const TemporaryFolder folder;
+  check_well(view(cornell, "wait\nsave " + (folder / "a.png") + "\n"));
+  CHECK(output::read_image(folder / "a.png").width > 100);
+  const test::Outcome outcome = view(cornell, "wait\nprint-memory\n");
+  CHECK(outcome.out.find("memory: device 0 ") == std::string::npos);
+}
+
+TEST_CASE("--after of a file that is no scene ends with its reason, not without end") {
+  const test::Outcome outcome = test::run_program(CRSH_BUILD_DIR "/crsh-view", {"/nowhere/scene.glb", "--after", "3"});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.find("/nowhere/scene.glb") != std::string::npos);
+}
+
 TEST_CASE("it shrinks to one pixel and grows again") {
   const TemporaryFolder folder;
   check_well(view(cornell, "wait\nresize 1 1\nwait\nresize 400 300\nwait\nscreenshot " + (folder / "a.png") + "\n"));
