@@ -138,6 +138,10 @@ OptionGroup algorithm_options(AlgorithmOptions& algorithm) {
        bound_option(algorithm),
        plain(choice("--fit", "merged|all", "Bound a node's children, or all rays below it.", algorithm.fit,
                     {"merged", "all"})),
+       plain(choice("--cone-test", "signed|printed",
+                    "Equation 9 of sphere-cone bounds: signed rejects what lies behind a node; printed, the paper's "
+                    "letter, does not. Other bounds have no cones.",
+                    algorithm.cone_test, {"signed", "printed"})),
        plain(on_off("--interval", "Test also the distances that a node's rays reach.", algorithm.interval)),
        plain(on_off("--mesh-culling", "Test nodes against whole meshes first.", algorithm.mesh_culling)),
        plain(choice("--batches", "mixed|separate", "Sort a bounce's kinds of rays together, or one by one.",

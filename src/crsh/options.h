@@ -34,6 +34,8 @@ struct ViewOption {
 enum class RayOrder { scanline, tiles };
 enum class NodeCut { fixed, cut };
 enum class Fit { merged, all };
+/// Equation 9: the distance along the cone's axis with its sign, or as the paper prints it, without.
+enum class ConeTest { with_sign, as_printed };
 
 inline constexpr std::string_view default_preset = "crsh-bvh";
 
@@ -56,6 +58,7 @@ struct AlgorithmOptions {
   PerKind<uint32_t> levels{2};
   std::string bound = "sphere-cone";
   Fit fit = Fit::all;
+  ConeTest cone_test = ConeTest::with_sign;  ///< of bounds with cones
   bool interval = true;
   bool mesh_culling = true;
   bool mixed_batches = true;  ///< ray kinds of a bounce are sorted and bundled together

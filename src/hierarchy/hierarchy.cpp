@@ -17,6 +17,8 @@ constexpr uint64_t most_fitted_rays = 8192;
 
 /// What a bound's file declares of itself, by constant_id (shaders/hierarchy/bounds).
 constexpr uint32_t bound_bytes_id = 9, bound_merge_fits_id = 10;
+/// What a bound with cones can be told; others have no such constant, and then it does nothing.
+constexpr uint32_t cone_test_as_printed_id = 11;
 
 /// Every bound has a shader of this name.
 constexpr std::string_view prefix = "hierarchy/fit@", suffix = ".comp";
@@ -115,6 +117,11 @@ void build(gpu::Recorder& recorder, const In& in, Hierarchy& out) {
     bound(recorder, in, out, index);
     below = out.levels[index].segments;
   }
+}
+
+std::vector<std::pair<uint32_t, uint32_t>> test_constants(const AlgorithmOptions& options) {
+  if (options.cone_test == ConeTest::with_sign) return {};
+  return {{cone_test_as_printed_id, 1}};
 }
 
 std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index) {

@@ -73,6 +73,9 @@ struct In {
 /// Builds up to max(options.levels) levels; segments whose kind wants fewer have no nodes above. Records, may submit.
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& out);
 
+/// Specialisation constants of kernels that test nodes against objects, boxes or triangles.
+[[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> test_constants(const AlgorithmOptions& options);
+
 /// For each node of levels[index] the tangent of its half-angle (1e30 and above: a right angle or wider) and its
 /// radius, metres. Submits and waits.
 [[nodiscard]] std::vector<glm::vec2> spreads(gpu::Recorder& recorder, Hierarchy& hierarchy, uint32_t index);

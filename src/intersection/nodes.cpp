@@ -100,7 +100,8 @@ class Nodes {
 
   [[nodiscard]] gpu::Kernel kernel() const {
     const std::string alone = cluster() == 1 ? "-alone" : "";
-    std::vector<std::pair<uint32_t, uint32_t>> constants = {{0, in_.traversal.drop_every}};
+    std::vector<std::pair<uint32_t, uint32_t>> constants = hierarchy::test_constants(in_.traversal.options);
+    constants.emplace_back(0, in_.traversal.drop_every);
     const uint32_t lanes = cluster(), arity = in_.traversal.options.arity;
     if (lanes > 1) constants.insert(constants.end(), {{2, lanes}, {3, (arity + lanes - 1) / lanes}});
     return in_.traversal.account.kernel("intersection/node_walk" + alone + "@" + in_.traversal.options.bound,

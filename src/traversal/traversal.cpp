@@ -68,8 +68,13 @@ class Descent {
   [[nodiscard]] uint32_t first_account(uint32_t kind, uint32_t index) const {
     return in_.account.first(kind, index + 1);
   }
-  [[nodiscard]] std::string bound(const std::string& kernel) const { return kernel + "@" + in_.options.bound; }
-  [[nodiscard]] std::string bound_and_lanes(const std::string& kernel) const { return bound(kernel + device_.lanes()); }
+  /// The kernel's build for the bound at hand.
+  [[nodiscard]] gpu::Kernel testing(const std::string& kernel) const {
+    return in_.account.kernel(kernel + "@" + in_.options.bound, hierarchy::test_constants(in_.options));
+  }
+  [[nodiscard]] gpu::Kernel testing_with_lanes(const std::string& kernel) const {
+    return testing(kernel + device_.lanes());
+  }
   [[nodiscard]] uint32_t words() const { return in_.options.mesh_culling ? (in_.scene.instance_count + 31) / 32 : 0; }
 
   void cull_meshes(Range nodes) {
@@ -83,7 +88,7 @@ class Descent {
            in_.options.interval,
            counter(shared::counter_mesh_tests),
            first_account(shared::tests_object, top_)};
-    recorder_.dispatch(in_.account.kernel(bound("traversal/mesh_spheres")), count, push,
+    recorder_.dispatch(testing("traversal/mesh_spheres"), count, push,
                        {{"nodes", level(top_).nodes},
                         {"intervals", level(top_).intervals},
                         {"object_spheres", in_.scene.object_spheres},
@@ -115,7 +120,7 @@ class Descent {
            counter(shared::counter_level_tests + top_),
            counter(shared::counter_level_hits + top_),
            first_account(shared::tests_node, top_)};
-    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/top")), uint64_t(padded) * blocks.count, push,
+    recorder_.dispatch(testing_with_lanes("traversal/top"), uint64_t(padded) * blocks.count, push,
                        {{"nodes", level(top_).nodes},
                         {"intervals", level(top_).intervals},
                         {"blocks", in_.scene.blocks},
@@ -187,8 +192,7 @@ class Descent {
       uint32_t use_interval, tests, hits, first_account;
     } push{portion, in_.options.interval, counter(shared::counter_level_tests + index),
            counter(shared::counter_level_hits + index), first_account(shared::tests_node, index)};
-    recorder_.dispatch(in_.account.kernel(bound_and_lanes("traversal/descend")),
-                       uint64_t(portion.parent_count) * portion.arity, push,
+    recorder_.dispatch(testing_with_lanes("traversal/descend"), uint64_t(portion.parent_count) * portion.arity, push,
                        {{"nodes", level(index).nodes},
                         {"intervals", level(index).intervals},
                         {"children_of", level(index + 1).children},

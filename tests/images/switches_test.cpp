@@ -90,6 +90,29 @@ TEST_CASE("bounds with and without intervals, objects culled or not, give the sa
   CHECK(difference_by([](auto& options) { options.interval = options.mesh_culling = false; }) == "");
 }
 
+TEST_CASE(
+    "cones tested with equation 9's sign and as it is printed give the same hits and picture, the latter by more "
+    "tests") {
+  const scene::Scene& scene = own_scene("glass");
+  RenderOptions options;
+  options.width = 32, options.height = 24, options.bounces = 1;
+  options.algorithm = preset("crsh-2017");
+  const Rendered with_sign = render(scene, options);
+  options.algorithm.cone_test = ConeTest::as_printed;
+  const Rendered as_printed = render(scene, options);
+  CHECK(difference(with_sign, as_printed) == "");
+  for (const RayStatistics& row : with_sign.statistics.rays) {
+    const uint64_t printed_tests = rays_of(as_printed.statistics, row.kind, row.bounce).paper_tests();
+    CHECK((row.count ? printed_tests > row.paper_tests() : printed_tests == 0));
+  }
+}
+
+TEST_CASE("a bound without cones has no cone test to choose") {
+  const Rendered as_printed = changed([](auto& options) { options.cone_test = ConeTest::as_printed; });
+  CHECK(difference(usual(), as_printed) == "");
+  CHECK(difference_of_counters(usual().statistics, as_printed.statistics) == "");
+}
+
 TEST_CASE("every arity gives the same hits and picture") {
   for (const uint32_t arity : {2, 3, 8, 64}) {
     CAPTURE(arity);

@@ -84,11 +84,12 @@ TEST_CASE("no bound rejects a ray that hits, whatever the arity, levels, fit, in
     const Traced all = tracer.trace_all(world.scene, world.rays);
     REQUIRE(count_hits(all) > 500);
     for (const auto& [arity, levels] : {std::pair{2u, 1u}, {2u, 5u}, {3u, 4u}, {8u, 1u}, {8u, 2u}, {8u, 3u}, {64u, 2u}})
-      for (const uint32_t switches : {0u, 1u, 2u, 4u, 7u}) {
+      for (const uint32_t switches : {0u, 1u, 2u, 4u, 7u, 9u}) {
         TraceOptions options{algorithm(arity, levels)};
         options.algorithm.fit = switches & 1 ? Fit::all : Fit::merged;
         options.algorithm.interval = switches & 2;
         options.algorithm.mesh_culling = switches & 4;
+        options.algorithm.cone_test = switches & 8 ? ConeTest::as_printed : ConeTest::with_sign;
         options.submit_work = seed % 2 ? 1 << 26 : 1 << 16;
         const Traced traced = tracer.trace(world.scene, world.rays, options);
         CAPTURE(seed);
@@ -131,6 +132,7 @@ void check_objects(Tracer& tracer, const World& world, const Traced& all, uint32
         TraceOptions options{algorithm(arity, levels)};
         options.algorithm.bound = bound;
         options.algorithm.interval = seed % 2;
+        options.algorithm.cone_test = seed % 2 ? ConeTest::with_sign : ConeTest::as_printed;
         options.algorithm.nodes = cut ? NodeCut::cut : NodeCut::fixed;
         options.algorithm.cut_angle = 0.3f, options.algorithm.cut_distance = 0.1f, options.extent = 4;
         options.submit_work = seed % 3 ? uint64_t(1) << 26 : 1 << 14;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -92,6 +93,7 @@ std::vector<AlgorithmOptions> several_algorithms() {
   all[1].fit = Fit::merged;
   all[2].interval = false;
   all[3].mesh_culling = false;
+  all[4].cone_test = ConeTest::as_printed;
   return all;
 }
 
@@ -110,6 +112,22 @@ TEST_CASE("pairs and counters of every level are those of a walk on the CPU") {
     CHECK(traced.pairs.size() > 1000);
     check_same(traced, twin_of(place, options));
   }
+}
+
+TEST_CASE("equation 9 as printed keeps every pair that the signed test keeps, and what lies behind a node besides") {
+  Place place(device());
+  AlgorithmOptions options = algorithm(8, {2, 2, 2});
+  options.interval = false;
+  const auto pairs_of = [&](ConeTest test) {
+    options.cone_test = test;
+    std::set<std::pair<uint32_t, uint32_t>> pairs;
+    for (const shared::HitPair& pair : place.tracer.trace(place.scene, place.rays, {options}).pairs)
+      pairs.emplace(pair.node, pair.triangle);
+    return pairs;
+  };
+  const auto with_sign = pairs_of(ConeTest::with_sign), as_printed = pairs_of(ConeTest::as_printed);
+  CHECK(std::ranges::includes(as_printed, with_sign));
+  CHECK(as_printed.size() > with_sign.size());
 }
 
 TEST_CASE("whole nodes below two levels: level-1 tests are arity times level-2 hits") {

@@ -16,7 +16,8 @@ class Descent {
 
  private:
   [[nodiscard]] bool may_hit(uint32_t level, uint32_t node, const glm::vec4& sphere) const {
-    return may_hit_sphere(in_.nodes[level][node], in_.intervals[level][node], sphere, in_.interval);
+    return may_hit_sphere(in_.nodes[level][node], in_.intervals[level][node], sphere, in_.interval,
+                          in_.cone_as_printed);
   }
 
   std::vector<uint32_t> triangles_of_met_objects(uint32_t level, uint32_t node) {
@@ -62,6 +63,7 @@ WalkIn read_for_walk(gpu::Recorder& recorder, const hierarchy::Hierarchy& hierar
   in.blocks = recorder.read<glm::uvec4>(scene.blocks, scene.block_count);
   in.interval = options.interval;
   in.mesh_culling = options.mesh_culling;
+  in.cone_as_printed = options.cone_test == ConeTest::as_printed;
   return in;
 }
 

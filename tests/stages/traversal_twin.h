@@ -15,7 +15,7 @@ struct WalkIn {
   std::vector<std::vector<glm::uvec2>> children;
   std::vector<glm::vec4> object_spheres, triangle_spheres;
   std::vector<glm::uvec4> blocks;
-  bool interval = true, mesh_culling = true;
+  bool interval = true, mesh_culling = true, cone_as_printed = false;
 };
 
 [[nodiscard]] WalkIn read_for_walk(gpu::Recorder& recorder, const hierarchy::Hierarchy& hierarchy,

@@ -107,17 +107,19 @@ Meeting hit_triangle(const shared::Ray& ray, const Triangle& triangle, bool cull
   return {inside_slabs(origin, direction, t, low, high) && inside_chord(origin, direction, t, vec3(sphere), radius), t};
 }
 
-bool may_hit_sphere(const shared::Node& node, const shared::Interval& interval, const vec4& sphere, bool use_interval) {
+bool may_hit_sphere(const shared::Node& node, const shared::Interval& interval, const vec4& sphere, bool use_interval,
+                    bool cone_as_printed) {
   const vec3 axis(node.cone), v = vec3(sphere) - vec3(node.sphere);
   const float tangent = node.cone.w, reach = node.sphere.w + sphere.w;
   const float along = dot(v, axis);
   const vec3 across = v - axis * along;
   const float slack = 2 * bound_pad * (length(v) + reach);
   const float secant = std::sqrt(1 + tangent * tangent);
-  const float allowed = along * tangent + (reach + slack) * secant;
+  const float to_foot = cone_as_printed ? std::abs(along) : along;
+  const float allowed = to_foot * tangent + (reach + slack) * secant;
   if (use_interval && length(v) - reach - slack > interval.far_end * bound_slack) return false;
   if (!(tangent < wide)) return true;
-  return length(across) <= allowed && along + reach + slack >= 0;
+  return length(across) <= allowed && (cone_as_printed || along + reach + slack >= 0);
 }
 
 }  // namespace crsh::test

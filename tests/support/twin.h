@@ -24,8 +24,8 @@ struct Meeting {
 /// Whether the ray hits the triangle, and where.
 [[nodiscard]] Meeting hit_triangle(const shared::Ray& ray, const Triangle& triangle, bool cull_back);
 
-/// Equation 9 and the interval.
+/// Equation 9 (`cone_as_printed`: without the sign) and the interval.
 [[nodiscard]] bool may_hit_sphere(const shared::Node& node, const shared::Interval& interval, const glm::vec4& sphere,
-                                  bool use_interval);
+                                  bool use_interval, bool cone_as_printed = false);
 
 }  // namespace crsh::test

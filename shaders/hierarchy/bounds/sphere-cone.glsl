@@ -13,6 +13,7 @@
 #define BOUND_OF_WORDS(word) Node(word(0), word(1))
 layout(constant_id = 9) const uint bound_bytes = 32;
 layout(constant_id = 10) const uint bound_merge_fits = 0;
+layout(constant_id = 11) const bool cone_test_as_printed = false;  // --cone-test
 
 /// Cones from about 89.9 degrees on count as wide: they reject nothing. Vulkan promises no infinities: a large number.
 const float widest_tangent = 1e3;
@@ -138,9 +139,10 @@ vec2 bound_spread(Node node) { return vec2(node.cone.w, node.sphere.w); }
 /// The node as a ball and a cone, for looking at it: that is what it is.
 Node bound_outline(Node node) { return node; }
 
-/// Equation 9 (Roger et al. 2007) on a sphere of objects or of one triangle, with the signed distance along the axis,
-/// so that what lies behind the apex is rejected; and nothing beyond the interval's far end. No epsilon in scene
-/// units: the slack is relative to the distances at hand.
+/// Equation 9 (Roger et al. 2007) on a sphere of objects or of one triangle; and nothing beyond the interval's far
+/// end. As printed, |C - H| is a length, so that the cone opens backwards, too. Here it is negative behind the apex,
+/// and what lies there is rejected; --cone-test printed drops the sign, which lets more through and never less. No
+/// epsilon in scene units: the slack is relative to the distances at hand.
 bool bound_may_hit_sphere(Node node, Interval interval, vec4 sphere, bool use_interval) {
   precise vec3 v = sphere.xyz - node.sphere.xyz;
   precise float reach = node.sphere.w + sphere.w;
@@ -148,10 +150,11 @@ bool bound_may_hit_sphere(Node node, Interval interval, vec4 sphere, bool use_in
   precise vec3 across = v - node.cone.xyz * along;
   precise float slack = 2.0 * bound_pad * (exact_length(v) + reach);
   precise float secant = sqrt(1.0 + node.cone.w * node.cone.w);
-  precise float allowed = along * node.cone.w + (reach + slack) * secant;
+  precise float to_foot = cone_test_as_printed ? abs(along) : along;  // |C - H|
+  precise float allowed = to_foot * node.cone.w + (reach + slack) * secant;
   bool bounded = node.cone.w < wide;
   bool outside = bounded && exact_length(across) > allowed;
-  bool behind = bounded && along + reach + slack < 0.0;
+  bool behind = bounded && !cone_test_as_printed && along + reach + slack < 0.0;
   bool beyond = use_interval && exact_length(v) - reach - slack > interval.far_end * bound_slack;
   return !(outside || behind || beyond);
 }
