@@ -118,6 +118,27 @@ TEST_CASE("with mesh culling the top level's nodes are tested against every obje
   }
 }
 
+uint64_t tests_of(const Rendered& rendered, const char* kind) {
+  return rays_of(rendered.statistics, kind, 0).total_tests();
+}
+
+/// What more pixels change: nodes hold rays that are nearer to each other, so that a hierarchy of rays alone gains, and
+/// a hierarchy of objects does not. (On Office and Sponza: views_test.cpp.)
+TEST_CASE("crsh alone needs more tests a ray than bvh for few rays, and gains on it with each doubling of the image") {
+  double last = 1e9;
+  for (const uint32_t height : {24, 48, 96, 192}) {
+    RenderOptions options;
+    options.width = height * 4 / 3, options.height = height, options.bounces = 0;
+    const scene::Scene& scene = own_scene("office");
+    const double ratio = double(tests_of(render_with("crsh", scene, options), "shadow")) /
+                         double(tests_of(render_with("bvh", scene, options), "shadow"));
+    CAPTURE(height);
+    if (height == 24) CHECK(ratio > 1);
+    CHECK(ratio < 0.8 * last);
+    last = ratio;
+  }
+}
+
 /// A floor that fills the view, below a grid of little triangles behind the eye: every pixel casts one shadow ray, and
 /// with mirrors one reflection ray.
 Rendered floor_under_grid() {

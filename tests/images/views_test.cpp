@@ -109,8 +109,8 @@ struct Shares {
 };
 
 /// All tests of k = 0 as a share of brute force.
-Shares shares(const View& view, const scene::Scene& scene, const char* algorithm) {
-  const Rendered rendered = render_with(algorithm, scene, options_of(view, 512, 1));
+Shares shares(const View& view, const scene::Scene& scene, const char* algorithm, uint32_t size = 512) {
+  const Rendered rendered = render_with(algorithm, scene, options_of(view, size, 1));
   const auto share = [&](const char* kind) {
     const RayStatistics& row = rays_of(rendered.statistics, kind, 0);
     return double(row.total_tests()) / double(row.count * row.triangles);
@@ -133,6 +133,53 @@ TEST_CASE(
   }
 }
 
+/// What the README says of the ray hierarchy by itself, both halves of it.
+TEST_CASE(
+    "on Office and Sponza crsh alone needs fewer tests than bvh for shadow rays at 512x512; more at 256x256, and "
+    "more for mirror rays at either size") {
+  for (const View* view : {&views[0], &views[2]}) {
+    const scene::Scene* scene = scene_of(*view);
+    if (!scene) return;
+    CAPTURE(std::string(view->name));
+    const Shares large = shares(*view, *scene, "crsh"), large_single = shares(*view, *scene, "bvh");
+    const Shares small = shares(*view, *scene, "crsh", 256), small_single = shares(*view, *scene, "bvh", 256);
+    CHECK(large.shadow < 0.7 * large_single.shadow);
+    CHECK(small.shadow > 1.2 * small_single.shadow);
+    CHECK(large.reflection > 5 * large_single.reflection);
+    CHECK(small.reflection > 12 * small_single.reflection);
+  }
+}
+
+TEST_CASE("on 790 triangles between six mirrors crsh alone needs fewer tests than bvh, of either kind") {
+  const scene::Scene* scene = scene_of(views[1]);
+  if (!scene) return;
+  const Shares ours = shares(views[1], *scene, "crsh"), single = shares(views[1], *scene, "bvh");
+  CHECK(ours.shadow < 0.1 * single.shadow);
+  CHECK(ours.reflection < 0.25 * single.reflection);
+}
+
+/// Shadow rays, as the paper's Table 1 counts.
+double papers_share(const View& view, const scene::Scene& scene, ConeTest cone_test) {
+  RenderOptions options = options_of(view, 512, 0);
+  options.algorithm = preset("crsh-2017");
+  options.algorithm.cone_test = cone_test;
+  const RayStatistics row = rays_of(render(scene, options).statistics, "shadow", 0);
+  return double(row.paper_tests()) / double(row.count * row.triangles);
+}
+
+/// The paper's figure for its own Sponza is 2.38% (Table 1); ours are 2.21% with equation 9's sign, 2.51% as printed.
+TEST_CASE(
+    "crsh-2017 needs what the paper says on Sponza, 2.38%: a little less with equation 9's sign, a little more "
+    "without") {
+  const scene::Scene* scene = scene_of(views[2]);
+  if (!scene) return;
+  const double with_sign = papers_share(views[2], *scene, ConeTest::with_sign);
+  const double as_printed = papers_share(views[2], *scene, ConeTest::as_printed);
+  MESSAGE("crsh-2017 on Sponza: ", fmt::format("{:.3f}% signed, {:.3f}% printed", with_sign * 100, as_printed * 100));
+  CHECK(with_sign == doctest::Approx(0.02212).epsilon(0.005));
+  CHECK(as_printed == doctest::Approx(0.02512).epsilon(0.005));
+}
+
 TEST_SUITE_BEGIN("full");
 
 TEST_CASE("on the three views at 256x256 all presets give the same picture and hits, at 48x48 so does brute" *
@@ -148,18 +195,6 @@ TEST_CASE("the three views cast as many rays as the prototype counted" * doctest
     check_near(count_of(view, *scene, shared::kind_shadow), view.shadow_rays);
     check_near(count_of(view, *scene, shared::kind_reflection), view.mirror_rays);
   }
-}
-
-TEST_CASE("crsh-2017 needs 2.1 to 2.6% of brute force on Sponza, as the paper has it" * doctest::skip(!is_full())) {
-  const View& sponza = views[2];
-  const scene::Scene* scene = scene_of(sponza);
-  if (!scene) return;
-  const Rendered rendered = render_with("crsh-2017", *scene, options_of(sponza, 512, 0));
-  const RayStatistics& row = rays_of(rendered.statistics, "shadow", 0);
-  const double share = double(row.paper_tests()) / double(row.count * row.triangles);
-  MESSAGE("crsh-2017 on Sponza: ", fmt::format("{:.3f}%", share * 100));
-  CHECK(share > 0.021);
-  CHECK(share < 0.026);
 }
 
 TEST_SUITE_END();
