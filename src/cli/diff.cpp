@@ -15,7 +15,8 @@ namespace crsh::cli {
 namespace {
 
 const char* const notes =
-    "A and B are both OpenEXR or both PNG. The difference of two values is absolute\n"
+    "A and B are both OpenEXR or both PNG: one of each, as in a.exr b.png, is wrong\n"
+    "usage, since one has light and the other what a screen shows. The difference of two values is absolute\n"
     "for PNG, whose values are 0 to 1, and relative for OpenEXR: |a-b| divided by\n"
     "the largest of |a|, |b| and 0.01. R, G, B, A are compared unless --layers names\n"
     "others.\n"

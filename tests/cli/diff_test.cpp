@@ -84,7 +84,12 @@ TEST_CASE("wrong usage of diff") {
   CHECK(files.diff("png", {"-o", "x.jpg"}).status == 2);
   CHECK(files.diff("png", {"--layers", "Q"}).status == 2);
   CHECK(files.diff("png", {"--fail", "-1"}).status == 2);
-  CHECK(crsh({"diff", files.folder / "a.png", files.folder / "a.exr"}).status == 2);
+  for (const auto& [a, b] : {std::pair{"a.png", "a.exr"}, {"a.exr", "b.png"}}) {
+    const test::Outcome outcome = crsh({"diff", files.folder / a, files.folder / b});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.error_lines() == 1);
+  }
+  CHECK(crsh({"help", "diff"}).out.find("one of each, as in a.exr b.png, is wrong") != std::string::npos);
 }
 
 TEST_CASE("JSON and picture are written; on standard output they are alone there") {
