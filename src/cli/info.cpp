@@ -15,8 +15,9 @@ namespace {
 
 const char* const notes =
     "Without SCENE: the Vulkan devices, each with the index, name and UUID that\n"
-    "--device of crsh render takes. With it: what is in the scene, and what of it is\n"
-    "not supported.\n"
+    "--device of crsh render takes. With it: what is in the scene, what of it is not\n"
+    "supported and left out, and what is approximated: drawn, but not as glTF means\n"
+    "it.\n"
     "\n"
     "Examples:\n"
     "  crsh info\n"

@@ -5,6 +5,7 @@
 
 #include "cli/values.h"
 #include "output/stats_json.h"
+#include "scene/approximated.h"
 
 namespace crsh::cli {
 namespace {
@@ -70,6 +71,10 @@ std::string bounds_text(const scene::Bounds& bounds) {
                      size.z, bounds.low.x, bounds.low.y, bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z);
 }
 
+std::string clauses_text(const std::vector<std::string>& clauses) {
+  return clauses.empty() ? "nothing" : fmt::format("{}", fmt::join(clauses, "; "));
+}
+
 }  // namespace
 
 std::string devices_text(const std::vector<gpu::DeviceInfo>& devices) {
@@ -105,8 +110,8 @@ std::string scene_text(const scene::Scene& scene) {
          line("textures", std::to_string(scene.textures.size())) + line("lights", counted(scene.lights, light)) +
          line("cameras", counted(scene.cameras, [](const scene::Camera& camera) { return type_of(camera); })) +
          line("animations", counted(scene.animations, animation)) + line("bounds", bounds_text(bounds_of(scene))) +
-         line("not supported",
-              scene.unsupported.empty() ? "nothing" : fmt::format("{}", fmt::join(scene.unsupported, "; ")));
+         line("not supported", clauses_text(scene.unsupported)) +
+         line("approximated", clauses_text(scene::approximated(scene)));
 }
 
 Json scene_json(const scene::Scene& scene) {
@@ -131,7 +136,8 @@ Json scene_json(const scene::Scene& scene) {
             {"cameras", list_of(scene.cameras, camera)},
             {"animations", list_of(scene.animations, animation)},
             {"bounds", bounds_json(bounds_of(scene))},
-            {"unsupported", scene.unsupported}}}};
+            {"unsupported", scene.unsupported},
+            {"approximated", scene::approximated(scene)}}}};
 }
 
 }  // namespace crsh::cli

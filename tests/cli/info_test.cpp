@@ -34,8 +34,39 @@ TEST_CASE("info counts what is in a scene") {
   CHECK(scene["triangles"] > 100);
   CHECK(scene["bounds"]["low"].size() == 3);
   for (const char* name : {"path", "scenes", "meshes", "instances", "materials", "textures", "lights", "cameras",
-                           "animations", "unsupported"})
+                           "animations", "unsupported", "approximated"})
     CHECK(scene.contains(name));
+}
+
+TEST_CASE(
+    "info says what is drawn in another way than it is meant: rough metal as a dimmed mirror, rough glass clear") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "materials.gltf";
+  const auto approximated = [&](const std::string& material) {
+    output::write_whole(path, R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"materials":[)" +
+                                  material +
+                                  R"(,{"pbrMetallicRoughness":{"roughnessFactor":0.5}}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,2,0.5]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,
+"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAA/AAAAAAAAAEAAAAAA"}]})");
+    const auto json = nlohmann::json::parse(crsh({"info", path, "--json"}).out)["scene"];
+    CHECK(json["unsupported"].empty());
+    return json["approximated"].get<std::vector<std::string>>();
+  };
+  const std::string reflection =
+      "rough reflection, drawn as a sharp mirror dimmed by (1 - roughness)^2 (1 of 1 materials)";
+  using Clauses = std::vector<std::string>;
+  CHECK(approximated(R"({"pbrMetallicRoughness":{"metallicFactor":1,"roughnessFactor":0.4}})") == Clauses{reflection});
+  CHECK(approximated(R"({"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.4}})") == Clauses{reflection});
+  CHECK(approximated(R"({"pbrMetallicRoughness":{"metallicFactor":1,"roughnessFactor":0}})").empty());
+  CHECK(approximated(R"({"pbrMetallicRoughness":{"metallicFactor":0}})").empty());
+  const std::string glass = R"({"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.2},
+"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}})";
+  CHECK(approximated(glass) == Clauses{reflection, "rough glass, drawn clear (1 of 1 materials)"});
+  const test::Outcome text = crsh({"info", path});
+  CHECK(text.out.find("\nnot supported  nothing\napproximated   rough reflection") != std::string::npos);
 }
 
 TEST_CASE("a scene that cannot be read is one line, exit status 1") {
