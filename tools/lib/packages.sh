@@ -1,15 +1,18 @@
 # shellcheck shell=bash
 # The Debian packages that crsh needs, and how they are installed. Sourced by tools/demo and tools/test.
 
-# shellcheck disable=SC2034  # both lists are for the includers
+# shellcheck disable=SC2034  # the lists are for the includers
 
 # What `cmake -S . -B build && cmake --build build` needs, and a Vulkan driver that needs no GPU.
 build_packages=(
   g++ cmake ninja-build ccache
   libvulkan-dev glslang-tools spirv-headers mesa-vulkan-drivers
   libopenexr-dev libzip-dev libstb-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev
-  libglfw3-dev libimgui-dev doctest-dev
+  doctest-dev
 )
+
+# What crsh-view needs besides.
+window_packages=(libglfw3-dev libimgui-dev)
 
 # What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display,
 # clang-format, and those who read completions, the manual page and makefiles.
@@ -28,6 +31,11 @@ missing_packages() {
   for package in "$@"; do
     [[ -n ${installed[$package]-} ]] || printf '%s\n' "$package"
   done
+}
+
+# Whether a window's packages are here. Where there is no Debian to ask, CMake will say.
+has_window_packages() {
+  ! command -v dpkg-query >/dev/null || [[ -z $(missing_packages "${window_packages[@]}") ]]
 }
 
 # Sets `as_root` to the words that run a command as root. Fails where nothing does, or where sudo would have to ask
