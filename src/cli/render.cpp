@@ -153,19 +153,20 @@ void write_stats(const Run& run, const gpu::Device& device, const Picture& last,
   command.stats == "-" ? output::write_stdout(text) : output::write_whole(command.stats, text);
 }
 
-/// Milliseconds a stage, the mean over all frames.
+/// Milliseconds a stage, the mean over all frames. Pipelines are made in the first one alone.
 void say_stage_times(const RenderCommand& command, const Statistics& statistics) {
   if (!command.verbose || statistics.frames.empty()) return;
   const auto row = [&](std::string_view name, double sum) {
     say(command, fmt::format("{:<20}{:>12.2f} ms", name, sum / double(statistics.frames.size())));
   };
-  double total = 0;
-  for (const FrameTime& frame : statistics.frames) total += frame.total_ms;
+  double total = 0, pipelines = 0;
+  for (const FrameTime& frame : statistics.frames) total += frame.total_ms, pipelines += frame.pipeline_ms;
   for (size_t stage = 0; stage < stage_count; ++stage) {
     double sum = 0;
     for (const FrameTime& frame : statistics.frames) sum += frame.stage_ms[stage];
     row(stage_names[stage], sum);
   }
+  row("pipelines", pipelines);
   row("frame, wall clock", total);
 }
 

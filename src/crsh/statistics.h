@@ -37,6 +37,7 @@ struct RayStatistics {
 struct FrameTime {
   double total_ms = 0;                         ///< wall clock of the frame, all samples
   std::array<double, stage_count> stage_ms{};  ///< GPU timestamps
+  double pipeline_ms = 0;                      ///< making and compiling pipelines: in no stage, and 0 once all are made
 };
 
 /// What the object hierarchy took, where the algorithm has one.

@@ -103,11 +103,13 @@ void attempt(Renderer::State& s, const Frame& frame) {
   s.counters->clear(s.recorder);
   s.recorder.submit();
   (void)s.recorder.profiler().take_milliseconds();
+  (void)s.recorder.take_pipeline_milliseconds();
   const Clock::time_point start = Clock::now();
   frame();
   const double elapsed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   s.counters->add_to(s.recorder, s.frame_statistics);
-  s.frame_statistics.frames.push_back({elapsed, s.recorder.profiler().take_milliseconds()});
+  s.frame_statistics.frames.push_back(
+      {elapsed, s.recorder.profiler().take_milliseconds(), s.recorder.take_pipeline_milliseconds()});
 }
 
 /// Tries again with smaller portions where a generation outgrew a binding.

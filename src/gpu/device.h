@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "crsh/device.h"
@@ -76,6 +77,8 @@ class Device {
   [[nodiscard]] const char* lanes() const { return info_.software && may_shuffle() ? "" : "-alone"; }
   /// Pipelines are made anew at their next use. None may be in use.
   void forget_programs();
+  /// Milliseconds that the host has spent making pipelines since the last call.
+  [[nodiscard]] double take_pipeline_milliseconds() { return std::exchange(pipeline_ms_, 0); }
   /// Names of the compute shaders in use: "coherence/trim.comp".
   [[nodiscard]] std::vector<std::string> programs_in_use() const;
   /// Validation messages of severity warning or error since the device was made.
@@ -96,6 +99,7 @@ class Device {
   [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
   /// The one-off copies of upload_bytes and download_bytes.
   [[nodiscard]] Transfer& transfer() { return *transfer_; }
+  void add_pipeline_milliseconds(double milliseconds) { pipeline_ms_ += milliseconds; }
   /// Labels for debuggers and validation messages; no-ops without validation.
   void name_object(VkObjectType type, uint64_t handle, std::string_view name) const;
   void begin_label(VkCommandBuffer commands, std::string_view name) const;
@@ -124,6 +128,7 @@ class Device {
   uint32_t queue_family_ = 0;
   VkPhysicalDeviceMemoryProperties memory_{};
   uint64_t allocated_ = 0, peak_ = 0;
+  double pipeline_ms_ = 0;
   std::mutex queue_mutex_, account_mutex_;
   PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;

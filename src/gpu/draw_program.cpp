@@ -64,6 +64,7 @@ DrawProgram::DrawProgram(Device& device, std::string_view path, std::span<const 
       name_(path),
       reflection_(reflect_both(name_)),
       layout_(device, reflection_, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT) {
+  const PipelineTimer timer(device);
   std::vector<VkFormat> formats;
   for (const Format format : colours) formats.push_back(vulkan_format(format));
   VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};

@@ -66,12 +66,18 @@ PipelineLayout::~PipelineLayout() {
   vkDestroyDescriptorSetLayout(device_.handle(), tables_, nullptr);
 }
 
+PipelineTimer::~PipelineTimer() {
+  device_.add_pipeline_milliseconds(
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count());
+}
+
 Program::Program(Device& device, const Kernel& kernel)
     : device_(device),
       name_(kernel.path),
       reflection_(reflect(embedded_spirv(kernel.path + ".comp"))),
       group_size_(count_group(kernel, reflection_)),
       layout_(device, reflection_, VK_SHADER_STAGE_COMPUTE_BIT) {
+  const PipelineTimer timer(device);
   std::vector<VkSpecializationMapEntry> entries;
   std::vector<uint32_t> values;
   for (const auto& [id, value] : kernel.constants) {

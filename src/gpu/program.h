@@ -3,6 +3,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -47,6 +48,28 @@ class PipelineLayout {
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
 };
 
+/// Adds the host's time between its beginning and end to what the device has spent on pipelines.
+class PipelineTimer {
+ public:
+  explicit PipelineTimer(Device& device) : device_(device) {}
+  ~PipelineTimer();
+  PipelineTimer(const PipelineTimer&) = delete;
+  PipelineTimer& operator=(const PipelineTimer&) = delete;
+
+ private:
+  Device& device_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Whether something is used for the first time.
+class FirstUse {
+ public:
+  [[nodiscard]] bool take() const { return std::exchange(first_, false); }
+
+ private:
+  mutable bool first_ = true;
+};
+
 /// A compute pipeline with its layout. Where the shader tells lanes apart and subgroups divide its workgroup, they are
 /// full.
 class Program {
@@ -62,9 +85,11 @@ class Program {
   [[nodiscard]] const Reflection& reflection() const { return reflection_; }
   [[nodiscard]] const PipelineLayout& layout() const { return layout_; }
   [[nodiscard]] VkPipeline pipeline() const { return pipeline_; }
+  [[nodiscard]] const FirstUse& first_use() const { return first_use_; }
 
  private:
   Device& device_;
+  FirstUse first_use_;
   std::string name_;
   Reflection reflection_;
   uint32_t group_size_ = 1;
@@ -86,9 +111,11 @@ class DrawProgram {
   [[nodiscard]] const Reflection& reflection() const { return reflection_; }
   [[nodiscard]] const PipelineLayout& layout() const { return layout_; }
   [[nodiscard]] VkPipeline pipeline() const { return pipeline_; }
+  [[nodiscard]] const FirstUse& first_use() const { return first_use_; }
 
  private:
   Device& device_;
+  FirstUse first_use_;
   std::string name_;
   Reflection reflection_;  ///< of both stages together
   PipelineLayout layout_;

@@ -41,6 +41,9 @@ class Recorder {
 
   [[nodiscard]] Device& device() { return device_; }
   [[nodiscard]] Profiler& profiler() { return profiler_; }
+  /// Milliseconds since the last call that went to pipelines and to no stage: making them on the host, and their first
+  /// runs, in which lavapipe compiles.
+  [[nodiscard]] double take_pipeline_milliseconds();
 
   /// Work recorded from here on counts as this stage (Table 3's rows) until the next call.
   void stage(Stage stage);
@@ -113,6 +116,9 @@ class Recorder {
   void bind_tables(VkPipelineBindPoint point, const PipelineLayout& layout, const Reflection& reflection,
                    Arguments arguments, std::string_view name);
   void begin_rendering(const Attachments& attachments);
+  void draw_nothing(const DrawProgram& program, const Attachments& attachments, uint32_t first, Bytes push,
+                    Arguments arguments);
+  void make_room_for_spans();
 
   Device& device_;
   Submission submission_;

@@ -24,9 +24,10 @@ Json summary(std::vector<double> values) {
   return {{"min", values.front()}, {"median", median}, {"mean", mean}, {"max", values.back()}};
 }
 
-Json frame_json(const std::vector<FrameTime>& frames) {
+/// Of one of a frame's times.
+Json times_json(const std::vector<FrameTime>& frames, double FrameTime::*time) {
   std::vector<double> values;
-  for (const FrameTime& frame : frames) values.push_back(frame.total_ms);
+  for (const FrameTime& frame : frames) values.push_back(frame.*time);
   return summary(std::move(values));
 }
 
@@ -127,7 +128,8 @@ Json stats_json(const RunDescription& run, const Statistics& statistics) {
       {"image", run.replayed ? Json() : Json{{"width", run.width}, {"height", run.height}, {"samples", run.samples}}},
       {"algorithm", run.algorithm},
       {"frames", statistics.frames.size()},
-      {"frame_ms", frame_json(statistics.frames)},
+      {"frame_ms", times_json(statistics.frames, &FrameTime::total_ms)},
+      {"pipeline_ms", times_json(statistics.frames, &FrameTime::pipeline_ms)},
       {"stages", stages_json(statistics.frames)},
       {"rays", std::move(rays)},
       {"object_hierarchy",

@@ -83,13 +83,15 @@ TEST_CASE("times are summed up over frames, for all ten stages, also without any
   Statistics statistics;
   CHECK(json_of(statistics)["frame_ms"]["median"] == 0);
   for (const double time : {4.0, 1.0, 3.0, 8.0}) {
-    FrameTime frame{.total_ms = time};
+    FrameTime frame{.total_ms = time, .pipeline_ms = time == 4 ? 2.0 : 0.0};
     frame.stage_ms[8] = time / 2;
     statistics.frames.push_back(frame);
   }
   const auto json = json_of(statistics);
   CHECK(json["frames"] == 4);
   CHECK(json["frame_ms"] == nlohmann::ordered_json{{"min", 1.0}, {"median", 3.5}, {"mean", 4.0}, {"max", 8.0}});
+  CHECK(json["pipeline_ms"]["max"] == 2.0);
+  CHECK(json["pipeline_ms"]["min"] == 0.0);
   CHECK(json["stages"].size() == 10);
   CHECK(json["stages"][8]["name"] == "shading");
   CHECK(json["stages"][8]["ms"]["max"] == 4.0);
