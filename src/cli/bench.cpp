@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "cli/bench_options.h"
 #include "cli/load_scene.h"
 #include "cli/mend.h"
+#include "cli/say.h"
 #include "crsh/error.h"
 #include "output/json_text.h"
 #include "output/progress.h"
@@ -37,17 +37,7 @@ const char* const notes =
     "  crsh bench scene.glb --algorithms rah,crsh --vary arity=4,8 --vary levels=2,3\n"
     "  crsh bench 'a.glb --light 0,5,0' 'b.glb --eye 1,2,5' --json all.json\n";
 
-/// A line on standard error, unless --quiet.
-void say(const BenchCommand& command, const std::string& line) {
-  if (!command.common.quiet) fmt::print(stderr, "{}\n", line);
-}
-
-output::Progress::Mode progress_mode(const RenderCommand& command) {
-  using Mode = output::Progress::Mode;
-  if (command.progress == ProgressChoice::json) return Mode::json;
-  const bool shown = command.progress == ProgressChoice::automatic && !command.quiet && ::isatty(STDERR_FILENO);
-  return shown ? Mode::bar : Mode::none;
-}
+void say(const BenchCommand& command, const std::string& line) { say(command.common, line); }
 
 /// The file's name without its ending; with a number where another scene has it.
 std::string name_of(const BenchCommand& command, size_t scene) {
@@ -204,6 +194,8 @@ void run_bench(BenchCommand& command, const std::vector<std::string>& line) {
   command.schedule.pictures = !command.report.empty();
   command.schedule.exposure = command.common.exposure;
   const std::vector<scene::Scene> scenes = load_scenes(command);
+  if (command.common.progress == ProgressChoice::json)
+    command.common.device.on_validation = [&command](const std::string& message) { say(command.common, message); };
   gpu::Device device(command.common.device);
   say(command, fmt::format("device: {} ({} {}), {}", device.info().name, device.info().driver,
                            device.info().driver_version, device.info().type));

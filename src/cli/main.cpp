@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/mend.h"
+#include "cli/say.h"
 #include "crsh/error.h"
 #include "crsh/leaks.h"
 #include "crsh/version.h"
@@ -44,18 +44,15 @@ void run(const std::vector<std::string>& line) {
   command.run(line);
 }
 
-[[nodiscard]] int report(const std::string& message, Exit status) {
-  if (!message.empty()) fmt::print(stderr, "crsh: {}\n", message);
-  return static_cast<int>(status);
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
+/// Runs the command line; throws nothing, whatever happens.
+[[nodiscard]] Exit run_reported(const std::vector<std::string>& line) {
+  const auto report = [as_json = cli::asks_for_json(line)](const std::string& text, Exit status) {
+    cli::say_error(text, status, as_json);
+    return status;
+  };
   try {
-    output::remove_unfinished_files_on_signals();
-    run(std::vector<std::string>(arguments, arguments + count));
-    return static_cast<int>(Exit::done);
+    run(line);
+    return Exit::done;
   } catch (const UserError& error) {
     return report(cli::line_of(error), error.status());
   } catch (const gpu::OutOfMemory& shortage) {
@@ -65,4 +62,11 @@ int main(int count, char** arguments) {
   } catch (const std::exception& error) {
     return report(fmt::format("internal error: {}", error.what()), Exit::failed);
   }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  output::remove_unfinished_files_on_signals();
+  return static_cast<int>(run_reported(std::vector<std::string>(arguments, arguments + count)));
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "cli/mend.h"
 #include "cli/render_checks.h"
 #include "cli/render_options.h"
+#include "cli/say.h"
 #include "cli/values.h"
 #include "crsh/error.h"
 #include "crsh/renderer.h"
@@ -50,18 +50,6 @@ struct Run {
   RayTable rays = {};              ///< for --dump-rays
   [[nodiscard]] RayTable* dump() { return command.dump_rays.empty() ? nullptr : &rays; }
 };
-
-/// A line on standard error, unless --quiet.
-void say(const RenderCommand& command, const std::string& line) {
-  if (!command.quiet) fmt::print(stderr, "{}\n", line);
-}
-
-output::Progress::Mode progress_mode(const RenderCommand& command) {
-  using Mode = output::Progress::Mode;
-  if (command.progress == ProgressChoice::json) return Mode::json;
-  const bool shown = command.progress == ProgressChoice::automatic && !command.quiet && ::isatty(STDERR_FILENO);
-  return shown ? Mode::bar : Mode::none;
-}
 
 std::string line_of(const output::ExposureAdvice& advice) {
   if (!advice.better) return advice.reason;
@@ -198,6 +186,8 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   scene::hide(*scene, command.options.hidden);
   const RayTable rays = command.replay_rays.empty() ? RayTable() : read_replay(command);
   count_bounces_of(rays, command.options.bounces);
+  if (command.progress == ProgressChoice::json)
+    command.device.on_validation = [&command](const std::string& message) { say(command, message); };
   const auto device = std::make_shared<gpu::Device>(command.device);
   say_what_runs(command, *scene, device->info());
   Renderer renderer(device, scene, command.options);

@@ -2,6 +2,7 @@
 // Vulkan devices: what there is, and which one to open. No Vulkan header is needed.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct DeviceRequest {
   std::string selector;         ///< index, part of the name, or UUID; empty: a real GPU before a software device
   uint64_t memory_budget = 0;   ///< bytes that all buffers and images together may take; 0: no bound
   bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
+  std::function<void(const std::string&)> on_validation;  ///< gets each message; none: standard error
   bool no_ray_queries = false;  ///< as if the device had none (tests of what other devices do)
   bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
   /// of the instance, as the window system asks for them; empty: no window

@@ -32,7 +32,7 @@ Device::Device() = default;
 // By way of the private constructor, so that the destructor runs when a later step throws.
 Device::Device(const DeviceRequest& request) : Device() {
   request_ = request;
-  instance_ = std::make_unique<Instance>(request.validation, request.window_extensions);
+  instance_ = std::make_unique<Instance>(request.validation, request.window_extensions, request.on_validation);
   const std::vector<VkPhysicalDevice> devices = instance_->devices();
   const std::vector<DeviceInfo> infos = describe_all(devices);
   const uint32_t index = select_device(infos, request.selector);

@@ -27,30 +27,31 @@ void require_validation_layer() {
       "validation was asked for, but its layer is missing: install the Debian package vulkan-validationlayers");
 }
 
-VKAPI_ATTR VkBool32 VKAPI_CALL count_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
-                                             const VkDebugUtilsMessengerCallbackDataEXT* data, void* counter) {
-  ++*static_cast<std::atomic<uint64_t>*>(counter);
-  std::fprintf(stderr, "validation: %s\n", data->pMessage);
+VKAPI_ATTR VkBool32 VKAPI_CALL pass_on(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* instance) {
+  static_cast<Instance*>(instance)->hear(data->pMessage);
   return VK_FALSE;
 }
 
-VkDebugUtilsMessengerCreateInfoEXT messenger_info(std::atomic<uint64_t>* counter) {
+VkDebugUtilsMessengerCreateInfoEXT messenger_info(Instance* instance) {
   return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
           .pNext = nullptr,
           .flags = 0,
           .messageSeverity =
               VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
           .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
-          .pfnUserCallback = count_message,
-          .pUserData = counter};
+          .pfnUserCallback = pass_on,
+          .pUserData = instance};
 }
 
 }  // namespace
 
-Instance::Instance(bool validation, const std::vector<std::string>& window_extensions) {
+Instance::Instance(bool validation, const std::vector<std::string>& window_extensions,
+                   std::function<void(const std::string&)> say)
+    : say_(std::move(say)) {
   if (validation) require_validation_layer();
   const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
-  const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(&messages_);
+  const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(this);
   VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
   features.pNext = &messenger;
   features.enabledValidationFeatureCount = 1;
@@ -86,6 +87,12 @@ Instance::~Instance() {
     reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"))(instance_, messenger_, nullptr);
   if (instance_) vkDestroyInstance(instance_, nullptr);
+}
+
+void Instance::hear(const std::string& message) {
+  ++messages_;
+  if (say_) say_("validation: " + message);
+  else std::fprintf(stderr, "validation: %s\n", message.c_str());
 }
 
 std::vector<VkPhysicalDevice> Instance::devices() const {

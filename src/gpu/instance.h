@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,20 +17,24 @@ namespace crsh::gpu {
 /// Owns the VkInstance; with validation also the layer and the messenger that prints and counts its messages.
 class Instance {
  public:
-  /// `window_extensions`: what the window system asks for.
-  explicit Instance(bool validation, const std::vector<std::string>& window_extensions = {});
+  /// `window_extensions`: what the window system asks for. `say` gets validation messages; none: standard error does.
+  explicit Instance(bool validation, const std::vector<std::string>& window_extensions = {},
+                    std::function<void(const std::string&)> say = {});
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
   [[nodiscard]] VkInstance handle() const { return instance_; }
   [[nodiscard]] uint64_t messages() const { return messages_; }
+  /// Counts a validation message, and says it. From any thread.
+  void hear(const std::string& message);
   /// In the loader's order. Throws UserError (exit 77) where there is none.
   [[nodiscard]] std::vector<VkPhysicalDevice> devices() const;
 
  private:
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  std::function<void(const std::string&)> say_;
   std::atomic<uint64_t> messages_ = 0;
 };
 

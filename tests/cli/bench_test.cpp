@@ -125,7 +125,7 @@ TEST_CASE("progress rises to the end, as JSON when asked") {
   bool written = false;
   for (std::string line; std::getline(stream, line);) {
     const json event = json::parse(line, nullptr, false);
-    if (event.is_discarded()) continue;  // the device, the lights
+    REQUIRE(!event.is_discarded());
     if (event["event"] == "progress") done.push_back(event["done"]);
     written |= event["event"] == "written" && event["path"] == "/dev/null";
   }

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -92,12 +94,54 @@ TEST_CASE("frames go to files of their own") {
   size_t written = 0;
   std::istringstream lines(outcome.err);
   for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with('{')) continue;
     const auto event = nlohmann::json::parse(line);
     if (event["event"] == "written") ++written;
     if (event["event"] == "progress") CHECK((event["frame"] >= 8 && event["frames"] == 3 && event["done"] <= 1));
   }
   CHECK(written == 3);
+}
+
+/// Every line is JSON: its events' texts, by the event.
+std::multimap<std::string, std::string> events_in(const std::string& text) {
+  std::multimap<std::string, std::string> events;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto event = nlohmann::json::parse(line, nullptr, false);
+    CAPTURE(line);
+    REQUIRE(event.is_object());
+    events.emplace(event["event"], event.value("text", event.value("path", "")));
+  }
+  return events;
+}
+
+TEST_CASE("with --progress json every line on standard error is JSON: notes, exposure, times, errors of any kind") {
+  const test::TemporaryFolder folder;
+  const test::Outcome done = render({"-o", folder / "a.exr", "-o", folder / "a.png", "--progress", "json", "-v",
+                                     "--light", "0,1,0", "--exposure", "auto"});
+  REQUIRE(done.status == 0);
+  const auto events = events_in(done.err);
+  CHECK(events.count("written") == 2);
+  CHECK(events.count("progress") > 0);
+  const auto has_note = [&](const std::string& part) {
+    const auto [first, last] = events.equal_range("note");
+    return std::any_of(first, last, [&](const auto& note) { return note.second.find(part) != std::string::npos; });
+  };
+  for (const char* part : {"device: ", "--light 0,1,0,", "exposure: ", "pipelines"}) CHECK(has_note(part));
+  const std::vector<std::vector<std::string>> failures = {{"-o", folder / "a.jpg"},
+                                                          {"-o", folder / "a.png", "--samples", "none"},
+                                                          {"-o", folder / "no/a.png"},
+                                                          {"-o", folder / "b.png", "--camera", "nosuch"}};
+  for (std::vector<std::string> failure : failures) {
+    for (const std::vector<std::string>& form :
+         std::vector<std::vector<std::string>>{{"--progress", "json"}, {"--progress=json"}}) {
+      std::vector<std::string> options = failure;
+      options.insert(options.end(), form.begin(), form.end());
+      const test::Outcome outcome = render(options);
+      CHECK(outcome.status != 0);
+      const auto errors = events_in(outcome.err);
+      CHECK(errors.count("error") == 1);
+    }
+  }
 }
 
 TEST_CASE("statistics hold the command, the effective options and every stage") {
@@ -111,7 +155,9 @@ TEST_CASE("statistics hold the command, the effective options and every stage") 
   CHECK(json["options"]["size"] == "24x16");
   CHECK(json["options"]["ray-order"] == "tiles");
   CHECK(json["image"]["width"] == 24);
+  CHECK(json["options"]["cone-test"] == "signed");
   CHECK(json["stages"].size() == 10);
+  CHECK(json["pipeline_ms"]["max"] > 0);
   CHECK(json["frames"] == 1);
   CHECK(json["scene"]["triangles"] > 100);
   CHECK(json["memory"]["device_peak_bytes"] > 0);
