@@ -27,6 +27,11 @@ std::string line_of(const UserError& error) {
   return fmt::format("{}: {}", error.reason(), in_options[static_cast<size_t>(error.mend())]);
 }
 
+std::string option_of(const ViewOption& view) {
+  const glm::vec3 eye = view.eye.value(), target = view.target.value();
+  return fmt::format("--eye {},{},{} --target {},{},{}", eye.x, eye.y, eye.z, target.x, target.y, target.z);
+}
+
 std::string option_of(const LightOption& light) {
   const std::string place = fmt::format("--light {},{},{}", light.position.x, light.position.y, light.position.z);
   return light.candela ? fmt::format("{},{}", place, *light.candela) : place;

@@ -164,8 +164,9 @@ void say_what_runs(const RenderCommand& command, const scene::Scene& scene, cons
   say(command, fmt::format("device: {} ({} {}), {}", device.name, device.driver, device.driver_version, device.type));
 }
 
-/// The lights as options to paste, and more.
+/// The camera and the lights as options to paste, and more.
 void say_what_was_chosen(const RenderCommand& command, const Renderer& renderer) {
+  if (renderer.chosen_view()) say(command, "no camera was given: " + option_of(*renderer.chosen_view()));
   const std::string why = command.options.lights.empty() ? "the scene has no light: " : "";
   for (const LightOption& light : renderer.chosen_lights()) say(command, why + option_of(light));
   for (const std::string& note : renderer.notes()) say(command, note);

@@ -77,6 +77,9 @@ class Renderer {
   [[nodiscard]] const Statistics& statistics() const;
   /// Every effective option, the image's final size included.
   [[nodiscard]] const RenderOptions& options() const;
+  /// The eye and target that were chosen here, as options that ask for the same view, to the last bit; none where the
+  /// options or the scene's camera say them.
+  [[nodiscard]] const std::optional<ViewOption>& chosen_view() const;
   /// Lights that were chosen here, as options that ask for the same: those of RenderOptions::lights without intensity,
   /// or, without any there and in the scene, the one beside the eye.
   [[nodiscard]] const std::vector<LightOption>& chosen_lights() const;

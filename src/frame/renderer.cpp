@@ -69,6 +69,7 @@ void apply(Renderer::State& s, RenderOptions options) {
   s.size = size;
   s.lights = std::move(lights);
   s.options = std::move(options);
+  s.chosen_view = raster::chosen_view(s.scene, s.options, bounds, size);
   s.statistics = {};
   s.statistics.triangles = s.gpu_scene.triangle_count;
   s.statistics.meshes = s.scene.meshes.size();
@@ -250,6 +251,7 @@ std::vector<ObjectBox> Renderer::object_boxes(uint32_t depth) {
 
 const Statistics& Renderer::statistics() const { return state_->statistics; }
 const RenderOptions& Renderer::options() const { return state_->options; }
+const std::optional<ViewOption>& Renderer::chosen_view() const { return state_->chosen_view; }
 const std::vector<LightOption>& Renderer::chosen_lights() const { return state_->lights.chosen; }
 const std::vector<std::string>& Renderer::notes() const { return state_->gpu_scene.notes; }
 

@@ -62,6 +62,7 @@ struct Renderer::State {
   scene::Bounds first_bounds;  ///< of the scene at time 0
   std::optional<uint32_t> animation;
   raster::ImageSize size;
+  std::optional<ViewOption> chosen_view;  ///< where no camera was given
   scene::LightRig lights;
   scene::GpuScene gpu_scene;
   trace::Structures structures;

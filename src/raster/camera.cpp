@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "crsh/error.h"
 
@@ -18,6 +21,8 @@ constexpr float default_aspect = 4.0f / 3;
 /// Where the default camera stands, seen from the middle of the scene.
 constexpr glm::vec3 default_side{0.5f, 0.4f, 1.0f};
 constexpr float near_share = 1e-4f;  ///< of the scene's size
+/// Of the image, that the scene's bounds take up where the camera is chosen: a twentieth is left at either border.
+constexpr float framed_share = 0.9f;
 
 struct Extent {
   glm::vec3 centre{0};
@@ -91,20 +96,88 @@ void see_through(CameraView& view, const scene::Camera& camera, const glm::mat4&
   view.near_plane = camera.orthographic ? camera.near_plane : std::max(camera.near_plane, 1e-6f);
 }
 
-/// Far enough that the sphere fills the narrower side of the image.
+/// Far enough that a sphere around the target fills the narrower side of the image.
 float framing_distance(const CameraView& view, float aspect, float radius) {
   const float narrow = std::atan(view.half_height * std::min(aspect, 1.0f));
   return 1.02f * radius / std::sin(narrow);
 }
 
-void see_scene(CameraView& view, const ViewOption& option, const Extent& extent, float aspect) {
-  set_fov(view, default_fov);
-  if (option.fov_degrees) set_fov(view, glm::radians(*option.fov_degrees));
-  const glm::vec3 target = option.target.value_or(extent.centre);
-  view.eye = option.eye.value_or(target + glm::normalize(default_side) * framing_distance(view, aspect, extent.radius));
-  look(view, target - view.eye, option.up);
-  view.near_plane = near_share * 2 * extent.radius;
+std::array<glm::vec3, 8> corners_of(const scene::Bounds& bounds, const Extent& extent) {
+  const scene::Bounds none{extent.centre - glm::vec3(0.5f * extent.radius),
+                           extent.centre + glm::vec3(0.5f * extent.radius)};
+  const scene::Bounds& box = bounds.longest_edge() > 0 ? bounds : none;
+  std::array<glm::vec3, 8> corners;
+  for (int i = 0; i < 8; ++i) corners[i] = glm::mix(box.low, box.high, glm::vec3(i & 1, i >> 1 & 1, i >> 2));
+  return corners;
 }
+
+/// Two planes through the eye, `slope` to either side of where it looks, that hold all corners between them.
+/// `sideways`: where the eye stands along the axis from one to the other; `forward`: how far ahead it may stand. Both
+/// are seen from the middle of the bounds.
+struct Wedge {
+  float sideways, forward;
+};
+
+Wedge wedge_around(std::span<const glm::vec3> corners, const Extent& extent, glm::vec3 axis, glm::vec3 forward,
+                   float slope) {
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const glm::vec3& corner : corners) {
+    const float across = glm::dot(corner - extent.centre, axis), along = glm::dot(corner - extent.centre, forward);
+    low = std::min(low, across + slope * along);
+    high = std::max(high, across - slope * along);
+  }
+  return {(low + high) / 2, (low - high) / (2 * slope)};
+}
+
+/// To a thousandth or less of the scene's size, so that the printed option is short.
+glm::vec3 rounded(glm::vec3 place, float radius) {
+  const double step = std::pow(10.0, std::floor(std::log10(double(radius))) - 3);
+  return {float(std::round(place.x / step) * step), float(std::round(place.y / step) * step),
+          float(std::round(place.z / step) * step)};
+}
+
+struct Placement {
+  glm::vec3 eye, target;
+};
+
+/// As near as the bounds' corners allow that are to be in the image, seen from default_side.
+Placement frame(CameraView view, glm::vec3 up, const scene::Bounds& bounds, const Extent& extent, float aspect) {
+  look(view, -default_side, up);
+  const std::array<glm::vec3, 8> corners = corners_of(bounds, extent);
+  const float slope = framed_share * view.half_height;
+  const Wedge wide = wedge_around(corners, extent, view.right, view.forward, slope * aspect),
+              high = wedge_around(corners, extent, view.up, view.forward, slope);
+  const float forward = std::min(wide.forward, high.forward);
+  const glm::vec3 middle = extent.centre + view.right * wide.sideways + view.up * high.sideways;
+  return {rounded(middle + view.forward * forward, extent.radius), rounded(middle, extent.radius)};
+}
+
+/// What the options say of eye and target, and what is chosen for the rest. Parallel lines of sight want the middle of
+/// the scene in the middle of the image, however near it is.
+Placement placement_of(const CameraView& view, const ViewOption& option, const scene::Bounds& bounds, float aspect) {
+  const Extent extent = extent_of(bounds);
+  if (!option.eye && !option.target && !option.orthographic_height)
+    return frame(view, option.up, bounds, extent, aspect);
+  const glm::vec3 target = option.target.value_or(extent.centre);
+  const glm::vec3 away = glm::normalize(default_side) * framing_distance(view, aspect, extent.radius);
+  return {option.eye.value_or(target + away), target};
+}
+
+CameraView with_fov(const ViewOption& option) {
+  CameraView view;
+  set_fov(view, option.fov_degrees ? glm::radians(*option.fov_degrees) : default_fov);
+  return view;
+}
+
+void see_scene(CameraView& view, const ViewOption& option, const scene::Bounds& bounds, float aspect) {
+  view = with_fov(option);
+  const Placement place = placement_of(view, option, bounds, aspect);
+  view.eye = place.eye;
+  look(view, place.target - place.eye, option.up);
+  view.near_plane = near_share * 2 * extent_of(bounds).radius;
+}
+
+float aspect_of(ImageSize size) { return float(size.width) / float(size.height); }
 
 }  // namespace
 
@@ -118,19 +191,29 @@ ImageSize image_size(const scene::Scene& scene, const RenderOptions& options) {
 CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const RenderOptions& options,
                        const scene::Bounds& bounds, ImageSize size) {
   const Extent extent = extent_of(bounds);
-  const float aspect = float(size.width) / float(size.height);
+  const float aspect = aspect_of(size);
   CameraView view;
   if (const std::optional<uint32_t> index = chosen_camera(scene, options)) {
     see_through(view, scene.cameras[*index], pose.cameras[*index]);
     if (options.view.fov_degrees && !view.orthographic) set_fov(view, glm::radians(*options.view.fov_degrees));
   } else {
-    see_scene(view, options.view, extent, aspect);
+    see_scene(view, options.view, bounds, aspect);
   }
   if (options.view.orthographic_height)
     view.orthographic = true, view.half_height = *options.view.orthographic_height / 2;
   view.half_width = view.half_height * aspect;
   view.far_plane =
       std::max(view.near_plane, glm::distance(view.eye, extent.centre) + 2 * extent.radius) * 1.01f + 1e-6f;
+  return view;
+}
+
+std::optional<ViewOption> chosen_view(const scene::Scene& scene, const RenderOptions& options,
+                                      const scene::Bounds& bounds, ImageSize size) {
+  if (chosen_camera(scene, options) || (options.view.eye && options.view.target)) return {};
+  const Placement place = placement_of(with_fov(options.view), options.view, bounds, aspect_of(size));
+  ViewOption view = options.view;
+  view.eye = place.eye;
+  view.target = place.target;
   return view;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "crsh/options.h"
 #include "scene/scene.h"
@@ -32,9 +33,14 @@ struct CameraView {
 [[nodiscard]] ImageSize image_size(const scene::Scene& scene, const RenderOptions& options);
 
 /// The camera of this pose: --eye and --target, else --camera, else the file's first, else one that frames `bounds`,
-/// the scene's at time 0. --fov or --orthographic go with any of them. The image's aspect widens or narrows the view,
-/// its height stays. Throws UserError for a camera that the file has not.
+/// the scene's at time 0: the nearest corner is a twentieth of the image from its border. --fov or --orthographic go
+/// with any of them. The image's aspect widens or narrows the view, its height stays. Throws UserError for a camera
+/// that the file has not.
 [[nodiscard]] CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const RenderOptions& options,
                                      const scene::Bounds& bounds, ImageSize size);
+
+/// Where camera_view() has chosen eye or target itself: both as options that say the same, to the last bit. Else none.
+[[nodiscard]] std::optional<ViewOption> chosen_view(const scene::Scene& scene, const RenderOptions& options,
+                                      const scene::Bounds& bounds, ImageSize size);
 
 }  // namespace crsh::raster

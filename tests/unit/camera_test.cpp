@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "crsh/error.h"
@@ -112,6 +113,52 @@ TEST_CASE("without a camera the whole scene is in the image, whatever its aspect
       CHECK(p.y < 1);
     }
   }
+}
+
+scene::Bounds bounds_between(glm::vec3 low, glm::vec3 high) { return {low, high}; }
+
+TEST_CASE(
+    "the camera that is chosen frames the bounds closely: all corners inside, the nearest to a border within a tenth") {
+  for (const scene::Bounds& bounds :
+       {box, bounds_between({0, 0, 0}, {8, 0.1f, 3}), bounds_between({-1, 0, -1}, {1, 40, 1}),
+        bounds_between({1000, 2000, -500}, {1001, 2003, -498}), bounds_between({0, 0, 0}, {2e-3f, 1e-3f, 1e-3f})})
+    for (const raster::ImageSize size : {raster::ImageSize{512, 512}, {900, 200}, {100, 700}}) {
+      const CameraView view = camera_view({}, {}, {}, bounds, size);
+      float nearest = 1;
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p =
+            ndc(view, glm::mix(bounds.low, bounds.high, glm::vec3(corner & 1, corner >> 1 & 1, corner >> 2)));
+        nearest = std::min({nearest, p.x, p.y, 1 - p.x, 1 - p.y});
+      }
+      CAPTURE(size.width);
+      CAPTURE(bounds.high.y);
+      CHECK(nearest > 0.03f);
+      CHECK(nearest < 0.1f);
+    }
+}
+
+TEST_CASE(
+    "the camera that is chosen, pasted as options, is the same to the last bit; one that is given is not printed") {
+  for (const float fov : {20.0f, 45.0f, 100.0f})
+    for (const std::optional<glm::vec3>& target : {std::optional<glm::vec3>(), {glm::vec3(0.1f, 0.7f, 3)}}) {
+      RenderOptions options;
+      options.view.fov_degrees = fov, options.view.target = target;
+      const CameraView chosen = camera_view({}, {}, options, box, {300, 200});
+      const std::string printed = raster::chosen_view({}, options, box, {300, 200});
+      glm::vec3 eye, at;
+      REQUIRE(std::sscanf(printed.c_str(), "--eye %f,%f,%f --target %f,%f,%f", &eye.x, &eye.y, &eye.z, &at.x, &at.y,
+                          &at.z) == 6);
+      options.view.eye = eye, options.view.target = at;
+      const CameraView pasted = camera_view({}, {}, options, box, {300, 200});
+      CHECK(pasted.eye == chosen.eye);
+      CHECK(pasted.forward == chosen.forward);
+      CHECK(pasted.right == chosen.right);
+      CHECK(pasted.near_plane == chosen.near_plane);
+      CHECK(raster::chosen_view({}, options, box, {300, 200}).empty());
+    }
+  scene::Scene scene;
+  scene.cameras.resize(1);
+  CHECK(raster::chosen_view(scene, {}, box, {300, 200}).empty());
 }
 
 TEST_CASE("an eye that looks along its own up still has a right side; an empty scene has a view") {
