@@ -47,6 +47,7 @@ struct Run {
   output::Progress& progress;
   std::optional<double> exposure;  ///< of PNG files, once known: an automatic one is the first frame's
   uint64_t clamped = 0;            ///< half values, in all files
+  uint64_t exr_pixels = 0;         ///< of all files
   RayTable rays = {};              ///< for --dump-rays
   [[nodiscard]] RayTable* dump() { return command.dump_rays.empty() ? nullptr : &rays; }
 };
@@ -72,6 +73,7 @@ void write_picture(Run& run, const Picture& picture, const output::PathPattern& 
   if (pattern.format() == output::Format::exr) {
     run.clamped += output::write_exr(path, picture, picture_layers(run.command.options.layers),
                                      attributes_of(run.command, task.seconds));
+    run.exr_pixels += uint64_t(picture.width) * picture.height;
   } else {
     const Layer& beauty = *picture.find("");
     const std::string bytes = output::encode_png(beauty, picture.width, picture.height, exposure_of(run, beauty));
@@ -141,6 +143,13 @@ void write_stats(const Run& run, const gpu::Device& device, const Picture& last,
   command.stats == "-" ? output::write_stdout(text) : output::write_whole(command.stats, text);
 }
 
+/// A highlight or two beyond what half floats hold is nothing to be alarmed at; more than every thousandth pixel is.
+void say_clamped(const Run& run) {
+  const bool matters = run.clamped * 1000 > run.exr_pixels;
+  if (run.clamped && (matters || run.command.verbose))
+    say(run.command, fmt::format("{} values beyond 65504, the largest half, were clamped to it", run.clamped));
+}
+
 /// Milliseconds a stage, the mean over all frames. Pipelines are made in the first one alone.
 void say_stage_times(const RenderCommand& command, const Statistics& statistics) {
   if (!command.verbose || statistics.frames.empty()) return;
@@ -200,8 +209,7 @@ void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   Run run{command, renderer, progress, {}};
   Picture last;
   command.replay_rays.empty() ? void(last = render_frames(run)) : replay(run, rays);
-  if (run.clamped)
-    say(command, fmt::format("{} values beyond 65504, the largest half, were clamped to it", run.clamped));
+  say_clamped(run);
   if (!command.stats.empty()) write_stats(run, *device, last, line);
   say_stage_times(command, renderer.statistics());
 }

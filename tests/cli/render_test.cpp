@@ -144,6 +144,45 @@ TEST_CASE("with --progress json every line on standard error is JSON: notes, exp
   }
 }
 
+TEST_CASE("a few values that are clamped are said with -v alone, many always") {
+  const test::TemporaryFolder folder;
+  const auto said = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"-o", folder / "a.exr"});
+    return render(more).err.find("were clamped") != std::string::npos;
+  };
+  CHECK(said({"--background", "1e6,1e6,1e6", "--eye", "0,0,50", "--target", "0,0,100"}));
+  CHECK_FALSE(said({}));
+}
+
+TEST_CASE("a camera that was chosen is printed as options, which give the same bytes") {
+  const test::TemporaryFolder folder;
+  const std::string open = folder / "open.gltf";
+  output::write_whole(open, R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,2,0.5]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,
+"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAA/AAAAAAAAAEAAAAAA"}]})");
+  const test::Outcome chosen =
+      crsh({"render", open, "--size", "40x30", "-o", folder / "a.png", "-o", folder / "a.exr"});
+  CAPTURE(chosen.err);
+  REQUIRE(chosen.status == 0);
+  std::vector<std::string> pasted = {"render", open, "--size", "40x30", "-o", folder / "b.png", "-o", folder / "b.exr"};
+  std::istringstream words(chosen.err);
+  for (std::string word; words >> word;)
+    if (word == "--eye" || word == "--target" || word == "--light") {
+      pasted.push_back(word);
+      words >> word;
+      pasted.push_back(word);
+    }
+  REQUIRE(pasted.size() == 14);
+  const test::Outcome again = crsh(pasted);
+  REQUIRE(again.status == 0);
+  CHECK(again.err.find("no camera was given") == std::string::npos);
+  CHECK(output::read_whole(folder / "a.png") == output::read_whole(folder / "b.png"));
+  CHECK(crsh({"diff", folder / "a.exr", folder / "b.exr", "--exact", "--layers", "all"}).out == "equal\n");
+}
+
 TEST_CASE("statistics hold the command, the effective options and every stage") {
   const test::TemporaryFolder folder;
   const test::Outcome outcome = render({"-o", folder / "a.png", "--stats", "-", "--algorithm", "rah"});
