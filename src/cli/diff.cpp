@@ -16,10 +16,10 @@ namespace {
 
 const char* const notes =
     "A and B are both OpenEXR or both PNG: one of each, as in a.exr b.png, is wrong\n"
-    "usage, since one has light and the other what a screen shows. The difference of two values is absolute\n"
-    "for PNG, whose values are 0 to 1, and relative for OpenEXR: |a-b| divided by\n"
-    "the largest of |a|, |b| and 0.01. R, G, B, A are compared unless --layers names\n"
-    "others.\n"
+    "usage, since one has light and the other what a screen shows. The difference of\n"
+    "two values is absolute for PNG, whose values are 0 to 1, and relative for\n"
+    "OpenEXR: |a-b| divided by the largest of |a|, |b| and 0.01. R, G, B, A are\n"
+    "compared unless --layers names others.\n"
     "\n"
     "Exit status: 0 no difference beyond the tolerance, 3 different (also in size or\n"
     "channels), 1 a file cannot be read, 2 wrong usage.\n"
