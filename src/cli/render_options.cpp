@@ -310,7 +310,7 @@ OptionGroup output_options(RenderCommand& command) {
        not_effective(text("--replay-rays", "FILE.npz",
                           "Trace these rays in place of a picture's: for --stats and --dump-rays, without -o.",
                           command.replay_rays)),
-       with_default("auto: a bar on a terminal",
+       with_default("auto: a bar on a terminal; json: all that is said, an object a line",
                     not_effective(choice("--progress", "auto|json|none", "Say on standard error how far the render is.",
                                          command.progress, {"auto", "json", "none"}))),
        not_effective(flag("-q,--quiet", "Say nothing but errors.", command.quiet)),
