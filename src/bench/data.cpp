@@ -26,11 +26,12 @@ Json run_json(const Description& description, const SceneResults& scene, const R
                                    .samples = result.variant.options.samples,
                                    .algorithm = result.variant.options.algorithm.preset};
   const bool traced = result.counted_from.empty();
-  Json json = output::stats_json(run, times(result.counters, traced ? result.passes() : 1));
+  Json json = output::stats_json(run, times(result.counters, std::max<uint64_t>(result.passes(), 1)));
   json["bench"] = {{"scene", scene.name},
                    {"label", result.variant.label},
                    {"vary", result.variant.vary},
                    {"traced", traced},
+                   {"timed", !result.counters.frames.empty()},
                    {"rays_counted_with", traced ? Json() : Json(result.counted_from)},
                    {"places", result.places}};
   return json;
@@ -117,6 +118,7 @@ nlohmann::ordered_json bench_json(const Description& description, const std::vec
           {"command", description.command},
           {"repeat", description.schedule.repeat},
           {"warmup", description.schedule.warmup},
+          {"budget_s", description.schedule.budget_seconds},
           {"runs", std::move(runs)}};
 }
 

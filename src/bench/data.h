@@ -20,9 +20,10 @@ struct Description {
   std::function<nlohmann::ordered_json(const Variant&)> effective;
 };
 
-/// {"schema": "crsh-bench/1", "runs": [..]}: a run is what `crsh render --stats` says of its timed frames (schema
-/// crsh-stats/1; of one pass where brute force was counted), and "bench": label, what varies, whether it was traced,
-/// and when each frame's turn was.
+/// {"schema": "crsh-bench/1", "runs": [..]}, an object whose list is "runs": a run is what `crsh render --stats` says
+/// of its timed frames (schema crsh-stats/1; of one pass where none was timed), and "bench": label, what varies,
+/// whether it was traced and timed, and when each frame's turn was. "repeat" and "warmup" are what was asked for;
+/// "budget_s" (0: none) may have made them fewer.
 [[nodiscard]] nlohmann::ordered_json bench_json(const Description& description,
                                                 const std::vector<SceneResults>& scenes);
 

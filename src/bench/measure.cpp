@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <memory>
 
+#include "bench/budget.h"
 #include "bench/counters.h"
 #include "crsh/error.h"
 #include "crsh/renderer.h"
@@ -20,16 +23,29 @@ namespace {
 /// Devices without memory of their own may have little: variants whose lists sum up to more are not kept at once.
 constexpr uint64_t most_resident_bytes = uint64_t(1) << 30;
 
-/// Frames done of all frames to do.
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Frames done of all frames to do; under a budget of time, at least the share of it that is over.
 class Work {
  public:
-  Work(const Progress& progress, size_t frames) : progress_(progress), frames_(std::max<size_t>(frames, 1)) {}
-  void show(double share) const { progress_ ? progress_((double(done_) + share) / double(frames_)) : void(); }
+  Work(const Progress& progress, size_t frames, double budget_seconds = 0)
+      : progress_(progress), frames_(std::max<size_t>(frames, 1)), budget_(budget_seconds) {}
+  void show(double share) const {
+    const double over = budget_ > 0 ? std::min(seconds_since(start_) / budget_, 0.99) : 0;
+    if (progress_) progress_(std::clamp((double(done_) + share) / double(frames_), over, 1.0));
+  }
   void next(size_t frames = 1) { done_ += frames, show(0); }
+  /// So many are left, not as many as was thought.
+  void expect(size_t frames) { frames_ = std::max<size_t>(done_ + frames, 1); }
+  [[nodiscard]] double seconds() const { return seconds_since(start_); }
 
  private:
   const Progress& progress_;
   size_t frames_, done_ = 0;
+  double budget_;
+  Clock::time_point start_ = Clock::now();
 };
 
 Picture frame_at(Renderer& renderer, double seconds, Work& work) {
@@ -57,6 +73,13 @@ void take_picture(gpu::Device& device, const scene::Scene& scene, const Schedule
   result.heat = output::tests_of(picture);
 }
 
+/// Milliseconds of a pass, without what only a first one takes.
+double pass_ms(const Statistics& statistics) {
+  double sum = 0;
+  for (const FrameTime& frame : statistics.frames) sum += frame.total_ms - frame.pipeline_ms;
+  return sum;
+}
+
 /// The first pass, alone on the device: its counters and its memory, and what was effective.
 void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& work) {
   RenderOptions options = result.variant.options;
@@ -67,6 +90,7 @@ void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& 
   result.counters = pass_of(renderer, result.variant, work, picture);
   result.variant.options = renderer.options();
   result.first_frame = result.counters.frames.front();
+  result.seconds = pass_ms(result.counters) / 1000;
   result.counters.frames.clear();
   result.counters.device_peak_bytes = device.peak_bytes();
   result.world_to_camera = picture.world_to_camera;
@@ -81,6 +105,21 @@ Result count_rays(gpu::Device& device, const scene::Scene& scene, Variant varian
   Result result{.variant = std::move(variant)};
   look(device, scene, result, work);
   return result;
+}
+
+/// Seconds of a pass of brute force on the rays of `from`, by a picture so small that it takes few tests.
+double brute_force_seconds(gpu::Device& device, const scene::Scene& scene, const Result& from, Variant variant) {
+  constexpr double few_tests = 2e7;
+  const double tests = double(brute_force_tests(from.counters));
+  const double shrink = std::sqrt(std::min(few_tests / std::max(tests, 1.0), 1.0));
+  variant.options.width = std::max(uint32_t(from.variant.options.width * shrink), 1u);
+  variant.options.height = std::max(uint32_t(from.variant.options.height * shrink), 1u);
+  variant.seconds.resize(1);
+  Result sample{.variant = std::move(variant)};
+  const Progress none;
+  Work silent(none, 1);
+  look(device, scene, sample, silent);
+  return sample.seconds * tests / std::max(double(brute_force_tests(sample.counters)), 1.0);
 }
 
 /// The rays of `from`, each against every triangle.
@@ -100,7 +139,11 @@ class Measurement {
  public:
   Measurement(gpu::Device& device, const scene::Scene& scene, const std::vector<Variant>& variants,
               const Schedule& schedule, const Progress& progress)
-      : device_(device), scene_(scene), schedule_(schedule), work_(progress, frames(variants, schedule)) {
+      : device_(device),
+        scene_(scene),
+        schedule_(schedule),
+        rounds_{schedule.warmup, schedule.repeat},
+        work_(progress, frames(variants, schedule), schedule.budget_seconds) {
     for (const Variant& variant : variants) results_.push_back({.variant = variant});
   }
 
@@ -109,6 +152,7 @@ class Measurement {
       if (!is_brute(result.variant)) look_and_take(result);
     for (Result& result : results_)
       if (is_brute(result.variant)) look_at_brute_force(result);
+    fit_budget();
     repeat();
     return std::move(results_);
   }
@@ -116,13 +160,14 @@ class Measurement {
  private:
   static size_t frames(const std::vector<Variant>& variants, const Schedule& schedule) {
     size_t sum = schedule.pictures ? variants.size() : 0;
-    for (const Variant& variant : variants) sum += variant.seconds.size() * (1 + schedule.warmup + schedule.repeat);
+    for (const Variant& variant : variants)
+      sum += variant.seconds.size() * (variant.timed ? 1 + schedule.warmup + schedule.repeat : 1);
     return sum;
   }
 
   void look_and_take(Result& result) {
     look(device_, scene_, result, work_);
-    if (schedule_.pictures) take_picture(device_, scene_, schedule_, result, work_);
+    if (schedule_.pictures && result.variant.timed) take_picture(device_, scene_, schedule_, result, work_);
   }
 
   void look_at_brute_force(Result& result) {
@@ -131,33 +176,68 @@ class Measurement {
     };
     const auto found = std::ranges::find_if(results_, same);
     const Result from = found != results_.end() ? *found : count_rays(device_, scene_, result.variant, work_);
-    const uint64_t passes = 1 + schedule_.warmup + schedule_.repeat + (schedule_.pictures ? 1 : 0);
-    if (brute_force_tests(from.counters) > most_brute_force_tests / passes) return count_brute_force(from, result);
+    if (costs_too_much(from, result)) return count_brute_force(from, result);
     look_and_take(result);
+  }
+
+  /// Under a budget, brute force may take a quarter of what is left of it, all of it where nothing else is measured.
+  [[nodiscard]] bool costs_too_much(const Result& from, const Result& brute) {
+    const uint64_t pictures = schedule_.pictures ? 1 : 0;
+    if (schedule_.budget_seconds <= 0)
+      return brute_force_tests(from.counters) > most_brute_force_tests / (1 + rounds_.sum() + pictures);
+    const double seconds = brute_force_seconds(device_, scene_, from, brute.variant), left = seconds_left();
+    const double others = seconds_a_round();
+    const Rounds rounds = rounds_that_fit(rounds_, left, others > 0 ? others : seconds);
+    const double share = others > 0 ? 0.25 : 1;
+    return seconds * double(1 + rounds.sum() + pictures) > share * left;
+  }
+
+  [[nodiscard]] double seconds_left() const { return schedule_.budget_seconds - work_.seconds(); }
+
+  /// As long as the first passes took, of those that are repeated; twice that where each needs a renderer of its own.
+  [[nodiscard]] double seconds_a_round() const {
+    double sum = 0;
+    for (const Result& result : results_) sum += is_repeated(result) ? result.seconds : 0;
+    return fit_together() ? sum : 2 * sum;
+  }
+
+  void fit_budget() {
+    const double round = seconds_a_round();
+    if (schedule_.budget_seconds <= 0 || round <= 0) return;
+    const Rounds asked = rounds_;
+    rounds_ = rounds_that_fit(asked, seconds_left(), round);
+    size_t frames = 0;
+    for (const Result& result : results_)
+      frames += result.variant.timed ? result.variant.seconds.size() * rounds_.sum() : 0;
+    work_.expect(frames);
+    if (rounds_ == asked || !schedule_.say) return;
+    schedule_.say(fmt::format("{} timed {} of each in place of {}, {} for warming up: more would not fit --budget",
+                              rounds_.repeat, rounds_.repeat == 1 ? "pass" : "passes", asked.repeat, rounds_.warmup));
   }
 
   /// A, B, C, A, B, C, ...: a round is a pass of each.
   void repeat() {
-    const uint32_t rounds = schedule_.warmup + schedule_.repeat;
+    const auto rounds = static_cast<uint32_t>(rounds_.sum());
     const bool resident = rounds && fit_together();
     std::vector<std::unique_ptr<Renderer>> renderers(results_.size());
     for (size_t i = 0; resident && i < results_.size(); ++i)
-      if (is_traced(results_[i])) renderers[i] = renderer_of(results_[i]);
+      if (is_repeated(results_[i])) renderers[i] = renderer_of(results_[i]);
     uint32_t place = 0;
     for (uint32_t round = 0; round < rounds; ++round)
       for (size_t i = 0; i < results_.size(); ++i)
-        if (!is_traced(results_[i])) work_.next(results_[i].variant.seconds.size());
-        else if (resident) time_again(*renderers[i], results_[i], round >= schedule_.warmup, place);
-        else time_alone(results_[i], round >= schedule_.warmup, place);
+        if (!is_repeated(results_[i])) work_.next(results_[i].variant.timed ? results_[i].variant.seconds.size() : 0);
+        else if (resident) time_again(*renderers[i], results_[i], round >= rounds_.warmup, place);
+        else time_alone(results_[i], round >= rounds_.warmup, place);
   }
 
-  static bool is_traced(const Result& result) { return result.counted_from.empty(); }
+  /// It is traced, and not only for its counters.
+  static bool is_repeated(const Result& result) { return result.counted_from.empty() && result.variant.timed; }
 
   /// Whether the device holds the lists of all variants at once, by what each took alone.
   [[nodiscard]] bool fit_together() const {
     const uint64_t budget = device_.request().memory_budget;
     uint64_t sum = 0;
-    for (const Result& result : results_) sum += result.counters.device_peak_bytes;
+    for (const Result& result : results_) sum += is_repeated(result) ? result.counters.device_peak_bytes : 0;
     return sum <= (budget ? budget : most_resident_bytes);
   }
 
@@ -203,6 +283,7 @@ class Measurement {
   gpu::Device& device_;
   const scene::Scene& scene_;
   const Schedule& schedule_;
+  Rounds rounds_;
   Work work_;
   std::vector<Result> results_;
 };

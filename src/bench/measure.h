@@ -22,6 +22,7 @@ struct Variant {
   RenderOptions options;
   std::vector<double> seconds = {0};                               ///< of the scene's animation: the frames of a pass
   nlohmann::ordered_json when = nlohmann::ordered_json::object();  ///< the options that say so
+  bool timed = true;                                               ///< else it is rendered once, for its counters
 };
 
 /// Whether every ray meets every triangle: so slow that it may be counted instead of traced.
@@ -34,6 +35,7 @@ struct Result {
   Variant variant;               ///< with the effective options
   Statistics counters;           ///< of one pass; `frames` are the timed ones, without warm-up
   FrameTime first_frame;         ///< of all, in which an object hierarchy is built
+  double seconds = 0;            ///< that the first pass took
   std::vector<uint32_t> places;  ///< of each timed frame in the sequence of all variants' timed frames
   std::string counted_from;      ///< not empty: not traced; the rays are those that this preset cast
   glm::mat4 world_to_camera{1}, world_to_ndc{1};
@@ -49,9 +51,11 @@ struct Schedule {
   uint32_t warmup = 3, repeat = 58;      ///< passes a variant
   bool pictures = false;                 ///< one more frame each, with its picture and tests a pixel
   std::optional<float> exposure = 0.0f;  ///< of the picture, in stops; none: automatic
+  double budget_seconds = 0;             ///< fewer passes where those would take longer; 0: none. Each has one at least
+  std::function<void(const std::string&)> say = {};  ///< gets a line on what the budget left out
 };
 
-/// Brute force is not traced where all its frames together have more tests than this.
+/// Without a budget, brute force is not traced where all its frames together have more tests than this.
 inline constexpr uint64_t most_brute_force_tests = 3'000'000'000;
 
 /// Called with 0..1 of all the work.

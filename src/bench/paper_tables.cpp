@@ -27,6 +27,15 @@ std::string counted_note(const SceneResults& scene) {
   return "";
 }
 
+std::string printed_note(const SceneResults& scene) {
+  const auto as_printed = [](const Result& result) {
+    return result.variant.options.algorithm.cone_test == ConeTest::as_printed;
+  };
+  return std::ranges::any_of(scene.results, as_printed)
+             ? "cone-test=printed is equation 9 to the letter, which lets through what lies behind a node.\n"
+             : "";
+}
+
 /// A row a variant with a figure a scene, where `cell` gives that of a result.
 template <class Cell>
 std::vector<std::string> row_over_scenes(const std::vector<SceneResults>& scenes, std::string name, size_t variant,
@@ -165,6 +174,17 @@ bool is_timed(const std::vector<SceneResults>& scenes, size_t variant) {
       scenes, [&](const SceneResults& scene) { return !scene.results[variant].counters.frames.empty(); });
 }
 
+/// How many frames were timed: "58", or "7 to 58" where scenes differ.
+std::string frames_text(const std::vector<SceneResults>& scenes) {
+  size_t least = SIZE_MAX, most = 0;
+  for (const SceneResults& scene : scenes)
+    for (const Result& result : scene.results) {
+      const size_t frames = result.counters.frames.size();
+      if (frames) least = std::min(least, frames), most = std::max(most, frames);
+    }
+  return least < most ? fmt::format("{} to {}", least, most) : std::to_string(most);
+}
+
 }  // namespace
 
 bool is_counted(const RayStatistics& rays, const RayFilter& filter) {
@@ -232,7 +252,7 @@ Table table_1(const std::vector<SceneResults>& scenes, const RayFilter& filter) 
                                  percent_text(sums.total, sums.brute_force)});
         }));
   for (const SceneResults& scene : scenes) table.note += rays_of(scene, filter) + "\n";
-  table.note += counted_note(scenes.front());
+  table.note += counted_note(scenes.front()) + printed_note(scenes.front());
   table.note +=
       "TOTAL # ISECT counts as the paper: nodes and rays against triangles. EVERYTHING adds tests of meshes and boxes.";
   return table;
@@ -255,22 +275,17 @@ Table table_2(const SceneResults& scene, const RayFilter& filter) {
 }
 
 Table table_3(const std::vector<SceneResults>& scenes) {
-  const Result& first = scenes.front().results.front();
-  size_t frames = first.counters.frames.size();
   Table table{.title = "", .columns = {"TIME (MS)"}};
   for (const SceneResults& scene : scenes) table.columns.push_back(upper(scene.name));
   const size_t variants = scenes.front().results.size();
   for (size_t variant = 0; variant < variants; ++variant)
-    if (is_timed(scenes, variant)) {
-      frames = std::max(frames, scenes.front().results[variant].counters.frames.size());
-      add_times(table, scenes, variant);
-    }
+    if (is_timed(scenes, variant)) add_times(table, scenes, variant);
   for (const char* rival : {"rah", "bvh"})
     if (const auto reference = variant_named(scenes, rival); reference && is_timed(scenes, *reference))
       for (size_t variant = 0; variant < variants; ++variant)
         if (variant != *reference && is_timed(scenes, variant) && !is_brute(scenes.front().results[variant].variant))
           add_ratios(table, scenes, variant, *reference);
-  table.title = fmt::format("Table 3: render times, medians of {} interleaved frames", frames);
+  table.title = fmt::format("Table 3: render times, medians of {} interleaved frames", frames_text(scenes));
   table.note =
       "vs: how many times faster. ALL SECONDARY COST: from ray creation to final intersection, without the object "
       "hierarchy.";

@@ -92,11 +92,13 @@ std::string machine_html(const Description& description) {
   const auto host = output::host_json();
   return fmt::format(
       "<dl><dt>device</dt><dd>{} ({} {}), {}, Vulkan {}, subgroups of {}</dd><dt>processor</dt><dd>{}, {} threads</dd>"
-      "<dt>program</dt><dd>crsh {} ({})</dd><dt>frames</dt><dd>{} of each, in turn, after {} for warming up; times are "
+      "<dt>program</dt><dd>crsh {} ({})</dd><dt>frames</dt><dd>{}{} of each, in turn, after {} for warming up; times "
+      "are "
       "medians</dd></dl>\n",
       escaped(device.name), escaped(device.driver), escaped(device.driver_version), escaped(device.type),
       escaped(device.api_version), device.subgroup_size, escaped(host["cpu"].get<std::string>()),
-      host["threads"].get<unsigned>(), version, commit, description.schedule.repeat, description.schedule.warmup);
+      host["threads"].get<unsigned>(), version, commit, description.schedule.budget_seconds > 0 ? "at most " : "",
+      description.schedule.repeat, description.schedule.warmup);
 }
 
 /// Tests of each level, from objects down to rays.

@@ -83,7 +83,7 @@ std::vector<Variant> affordable(const std::vector<Variant>& variants, const std:
                                 double size) {
   std::vector<Variant> chosen;
   for (const Variant& variant : variants) {
-    if (is_brute(variant)) continue;
+    if (is_brute(variant) || !variant.timed) continue;
     if (!steps.empty()) {
       const auto same = [&](const Result& result) { return result.variant.label == variant.label; };
       const auto last = std::ranges::find_if(steps.back().results, same);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -30,7 +31,8 @@ const char* const notes =
     "Several scenes become columns of one table. A scene's own options follow its\n"
     "path between quotes; all others are for every scene. Frames of all algorithms\n"
     "take turns, so that none has the quieter machine, and times are medians. Brute\n"
-    "force is counted, not traced, where tracing would take minutes.\n"
+    "force is counted, not traced, where tracing would take too long. Table 1 counts\n"
+    "crsh-2017 also with --cone-test printed, unless --vary or --cone-test is given.\n"
     "\n"
     "Examples:\n"
     "  crsh bench scene.glb\n"
@@ -75,6 +77,10 @@ struct Stage {
   const std::vector<scene::Scene>& scenes;
   output::Progress& progress;
   uint32_t parts = 0;  ///< begun
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
   /// Progress of the next part of the whole.
   [[nodiscard]] bench::Progress next() {
     return [this, part = parts++](double done) { progress.update(part, part, done); };
@@ -88,11 +94,26 @@ struct Found {
   std::vector<bench::Table> others;
 };
 
+/// What this scene may take of the budget: its share of what those before it have left.
+bench::Schedule schedule_of(const BenchCommand& command, size_t index, Stage& stage) {
+  bench::Schedule schedule = command.schedule;
+  if (schedule.budget_seconds <= 0) return schedule;
+  schedule.budget_seconds =
+      std::max(schedule.budget_seconds - stage.seconds(), 1e-3) / double(command.scenes.size() - index);
+  schedule.say = [&command, &stage, name = name_of(command, index)](const std::string& line) {
+    stage.progress.clear();
+    say(command, fmt::format("{}: {}", name, line));
+  };
+  return schedule;
+}
+
 bench::SceneResults run_scene(const BenchCommand& command, size_t index, Stage& stage) {
   const BenchScene& asked = command.scenes[index];
+  std::vector<bench::Variant> variants = variants_of(command, asked);
+  add_as_printed(command, asked, variants);
   return {
       name_of(command, index), asked.path,
-      bench::measure(stage.device, stage.scenes[index], variants_of(command, asked), command.schedule, stage.next())};
+      bench::measure(stage.device, stage.scenes[index], variants, schedule_of(command, index, stage), stage.next())};
 }
 
 void write_to(const std::string& path, const std::string& bytes, output::Progress& progress) {
@@ -127,6 +148,7 @@ bench::Table ablate(const BenchCommand& command, const std::string& algorithm, S
 std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::SweepKind kind, Stage& stage) {
   bench::Schedule schedule = command.schedule;
   schedule.repeat = std::max(1u, schedule.repeat / 10);
+  schedule.budget_seconds = 0;
   schedule.pictures = false;
   std::vector<bench::ChartSection> sections;
   for (size_t i = 0; i < stage.scenes.size(); ++i) {
@@ -193,6 +215,7 @@ void run_bench(BenchCommand& command, const std::vector<std::string>& line) {
   check_bench(command);
   command.schedule.pictures = !command.report.empty();
   command.schedule.exposure = command.common.exposure;
+  command.schedule.budget_seconds = budget_of(command);
   const std::vector<scene::Scene> scenes = load_scenes(command);
   if (command.common.progress == ProgressChoice::json)
     command.common.device.on_validation = [&command](const std::string& message) { say(command.common, message); };

@@ -175,25 +175,53 @@ Option sweep_row(std::vector<bench::SweepKind>& sweeps) {
       .words = bench::sweep_names};
 }
 
+/// Remembers that it was given.
+Option repeat_row(BenchCommand& command) {
+  Option row = integer("--repeat", "N",
+                       "Timed frames of each, in turn with the others; with --frames so many times all of those.",
+                       command.schedule.repeat, 1, 100000);
+  row.set = [set = row.set, &command](const std::string& text) {
+    set(text);
+    command.repeats_as_given = true;
+  };
+  return row;
+}
+
+Option budget_row(std::optional<float>& budget) {
+  return {.names = "--budget",
+          .value = "SECONDS",
+          .help =
+              "Time that measuring may take: frames are repeated less often, and brute force is counted and not "
+              "traced, where more would not fit. Each is rendered once in any case; sweeps and ablations come on top. "
+              "0: no bound.",
+          .set = [&budget](const std::string& text) { budget = parse_real(text, 0, 1e7f); },
+          .initial = fmt::format("{}, or 0 where --repeat is given", usual_budget)};
+}
+
 OptionGroup own_options(BenchCommand& command) {
-  return {"Bench",
-          {algorithms_row(command.algorithms), vary_row(command.vary),
-           integer("--repeat", "N",
-                   "Timed frames of each, in turn with the others; with --frames so many times all of those.",
-                   command.schedule.repeat, 1, 100000),
-           integer("--warmup", "N", "As many more that are rendered first and not timed.", command.schedule.warmup, 0,
-                   100000),
-           count_row(command.count), ablate_row(command.ablate), sweep_row(command.sweeps),
-           text("--report", "FILE.html", "Write tables, charts and pictures as one page that needs no network.",
-                command.report),
-           text("--json", "FILE|-", "Write every run's statistics (schema crsh-bench/1).", command.json),
-           text("--csv", "FILE|-",
-                "Write counters of a frame, or of all --frames together, and median times as a table.", command.csv)}};
+  return {
+      "Bench",
+      {algorithms_row(command.algorithms), vary_row(command.vary), repeat_row(command), budget_row(command.budget),
+       integer("--warmup", "N", "As many more that are rendered first and not timed.", command.schedule.warmup, 0,
+               100000),
+       count_row(command.count), ablate_row(command.ablate), sweep_row(command.sweeps),
+       text("--report", "FILE.html", "Write tables, charts and pictures as one page that needs no network.",
+            command.report),
+       text(
+           "--json", "FILE|-",
+           "Write every run's statistics: an object of schema crsh-bench/1, whose \"runs\" are a list of crsh-stats/1.",
+           command.json),
+       text("--csv", "FILE|-", "Write counters of a frame, or of all --frames together, and median times as a table.",
+            command.csv)}};
 }
 
 [[noreturn]] void misuse(const std::string& message) { throw UserError(message, Exit::usage); }
 
 }  // namespace
+
+double budget_of(const BenchCommand& command) {
+  return double(command.budget.value_or(command.repeats_as_given ? 0 : usual_budget));
+}
 
 std::vector<OptionGroup> bench_options(BenchCommand& command) {
   command.algorithms = preset_names();

@@ -39,9 +39,15 @@ struct BenchCommand {
   std::vector<Given> given;                        ///< for every scene
   RenderCommand common;                            ///< what they say: device, time, progress
   bench::Schedule schedule;
+  std::optional<float> budget;  ///< seconds, 0: none; not given: usual_budget, unless --repeat is given
+  bool repeats_as_given = false;
   bench::RayFilter count;
   std::string json, csv, report;  ///< paths, "-" or empty
 };
+
+/// Of the time that measuring takes, seconds.
+inline constexpr float usual_budget = 120;
+[[nodiscard]] double budget_of(const BenchCommand& command);
 
 /// All tables, bound to `command`.
 [[nodiscard]] std::vector<OptionGroup> bench_options(BenchCommand& command);
@@ -52,6 +58,10 @@ struct BenchCommand {
 
 /// A scene's variants: every algorithm with every combination of --vary.
 [[nodiscard]] std::vector<bench::Variant> variants_of(const BenchCommand& command, const BenchScene& scene);
+
+/// Where the paper's preset stands among them by itself, it is counted, not timed, with equation 9 as printed, too; not
+/// where switches are varied or cones are tested as the command says.
+void add_as_printed(const BenchCommand& command, const BenchScene& scene, std::vector<bench::Variant>& variants);
 
 /// To this preset no switch matters: it has no nodes.
 [[nodiscard]] bool ignores_switches(const std::string& algorithm);

@@ -110,6 +110,18 @@ std::vector<bench::Variant> variants_of(const BenchCommand& command, const Bench
   return variants;
 }
 
+void add_as_printed(const BenchCommand& command, const BenchScene& scene, std::vector<bench::Variant>& variants) {
+  const auto chosen = [](const std::vector<Given>& given) {
+    return std::ranges::any_of(given, [](const Given& one) { return one.key == "cone-test" || one.key == "bound"; });
+  };
+  if (!command.vary.empty() || chosen(command.given) || chosen(scene.given)) return;
+  const auto papers = std::ranges::find(variants, std::string(papers_preset), &bench::Variant::label);
+  if (papers == variants.end()) return;
+  bench::Variant printed = variant_of(command, scene, papers_preset, {{"cone-test", "printed"}});
+  printed.timed = false;
+  variants.insert(papers + 1, std::move(printed));
+}
+
 bool goes_beyond_paper(const std::string& algorithm) {
   return algorithm.starts_with("crsh") && algorithm != papers_preset && !ignores_switches(algorithm);
 }

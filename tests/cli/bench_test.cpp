@@ -47,7 +47,9 @@ uint64_t sum(const json& run, const char* counter) {
 TEST_CASE("every preset is measured unless some are named, and all trace the same rays to the same hits") {
   const json result = bench_json({glass, "--repeat", "1", "--warmup", "0"});
   CHECK(result["schema"] == "crsh-bench/1");
-  CHECK(labels_of(result) == preset_names());
+  std::vector<std::string> labels = preset_names();
+  labels.insert(std::ranges::find(labels, "crsh-2017") + 1, "crsh-2017 cone-test=printed");
+  CHECK(labels_of(result) == labels);
   const json& first = result["runs"][0];
   for (const json& run : result["runs"]) {
     CHECK(run["schema"] == "crsh-stats/1");
@@ -113,6 +115,64 @@ TEST_CASE("Table 1 says whether it counts one frame or all") {
   film.insert(film.end(), {"--frames", "0..1"});
   CHECK(bench(quick).out.find("tests of one frame\n") != std::string::npos);
   CHECK(bench(film).out.find("tests of all frames\n") != std::string::npos);
+}
+
+TEST_CASE("Table 1 counts crsh-2017 with equation 9 signed and as printed, unless switches are chosen") {
+  const json both = bench_json({glass, "--repeat", "2", "--warmup", "0", "--algorithms", "crsh-2017,rah"});
+  CHECK(labels_of(both) == std::vector<std::string>{"crsh-2017", "crsh-2017 cone-test=printed", "rah"});
+  const json &with_sign = both["runs"][0], &as_printed = both["runs"][1];
+  CHECK(with_sign["options"]["cone-test"] == "signed");
+  CHECK(as_printed["options"]["cone-test"] == "printed");
+  CHECK(as_printed["bench"]["traced"] == true);
+  CHECK(as_printed["bench"]["timed"] == false);
+  CHECK(as_printed["frames"] == 0);
+  CHECK(2 * sum(as_printed, "paper_tests") > sum(with_sign, "paper_tests"));
+  CHECK(2 * sum(as_printed, "hits") == sum(with_sign, "hits"));
+  CHECK(both["runs"][2]["bench"]["places"] == json({1, 3}));
+  const test::Outcome tables = bench({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "crsh-2017"});
+  CHECK(tables.out.find("\nOur Algorithm (crsh-2017 cone-test=printed) ") != std::string::npos);
+  CHECK(tables.out.find("cone-test=printed is equation 9 to the letter") != std::string::npos);
+  for (const std::vector<std::string>& chosen :
+       std::vector<std::vector<std::string>>{{"--cone-test", "printed"}, {"--vary", "arity=8"}, {"--bound", "slab"}}) {
+    std::vector<std::string> options = {glass, "--repeat", "1", "--warmup", "0", "--algorithms", "crsh-2017"};
+    options.insert(options.end(), chosen.begin(), chosen.end());
+    CHECK(bench_json(options)["runs"].size() == 1);
+  }
+}
+
+TEST_CASE("--budget makes the repeats fewer and says so; an explicit --repeat is kept where no budget is given") {
+  const std::string office = CRSH_SOURCE_DIR "/scenes/office.glb";
+  const std::vector<std::string> usual = {"bench",     office, "--size",       "48x36",
+                                          "--bounces", "0",    "--algorithms", "brute,bvh"};
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), usual.begin(), usual.end());
+    const test::TemporaryFolder folder;
+    more.insert(more.end(), {"--json", folder / "a.json"});
+    const test::Outcome outcome = test::crsh(more);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return std::pair(json::parse(output::read_whole(folder / "a.json")), outcome.err);
+  };
+  const auto [little, said] = run({"--budget", "0.001"});
+  CHECK(little["runs"][0]["bench"]["traced"] == false);
+  CHECK(little["runs"][1]["frames"] == 1);
+  CHECK(little["budget_s"].get<double>() == doctest::Approx(0.001));
+  CHECK(said.find("office: 1 timed pass of each in place of 58, 0 for warming up") != std::string::npos);
+  const auto [both, said_of_both] = run({"--repeat", "4", "--budget", "0.001"});
+  CHECK(both["runs"][1]["frames"] == 1);
+  CHECK(said_of_both.find("in place of 4") != std::string::npos);
+  const auto [kept, nothing] = run({"--repeat", "4", "--warmup", "0"});
+  CHECK(kept["runs"][0]["bench"]["traced"] == true);
+  CHECK(kept["runs"][1]["frames"] == 4);
+  CHECK(kept["budget_s"] == 0);
+  CHECK(nothing.find("in place of") == std::string::npos);
+}
+
+TEST_CASE("--json is an object whose runs are a list, as its help says") {
+  const json result = bench_json({glass, "--repeat", "1", "--warmup", "0", "--algorithms", "bvh"});
+  CHECK(result.is_object());
+  CHECK(result["runs"].is_array());
+  CHECK(test::crsh({"help", "bench"}).out.find("an object of schema crsh-bench/1") != std::string::npos);
 }
 
 TEST_CASE("progress rises to the end, as JSON when asked") {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "bench/binned_sah.h"
+#include "bench/budget.h"
 #include "bench/counters.h"
 #include "bench/heat_figures.h"
 #include "bench/svg.h"
@@ -28,6 +29,19 @@ TEST_CASE("the median is the middle, whatever the order") {
   CHECK(median({3, 1, 2}) == 2);
   CHECK(median({4, 1, 3, 2}) == 2.5);
   CHECK(median({}) == 0);
+}
+
+TEST_CASE("as many rounds as fit the time, an eighth of them for warming up, and one at least") {
+  const Rounds asked{3, 58};
+  CHECK(rounds_that_fit(asked, 1000, 1) == asked);
+  CHECK(rounds_that_fit(asked, 61, 1) == asked);
+  CHECK(rounds_that_fit(asked, 60, 1) == Rounds{3, 57});
+  CHECK(rounds_that_fit(asked, 9.5, 1) == Rounds{1, 8});
+  CHECK(rounds_that_fit(asked, 4, 1) == Rounds{0, 4});
+  CHECK(rounds_that_fit(asked, -5, 1) == Rounds{0, 1});
+  CHECK(rounds_that_fit(asked, 5, 0) == asked);
+  CHECK(rounds_that_fit({0, 1}, 0, 1) == Rounds{0, 1});
+  CHECK(rounds_that_fit({5, 1}, 3, 1) == Rounds{0, 1});
 }
 
 TEST_CASE("figures stand flush right below their headings, rows of one cell alone") {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "cli/mend.h"
 #include "crsh/error.h"
 #include "raster/camera.h"
 #include "raster/jitter.h"
@@ -144,7 +145,9 @@ TEST_CASE(
       RenderOptions options;
       options.view.fov_degrees = fov, options.view.target = target;
       const CameraView chosen = camera_view({}, {}, options, box, {300, 200});
-      const std::string printed = raster::chosen_view({}, options, box, {300, 200});
+      const std::optional<ViewOption> view = raster::chosen_view({}, options, box, {300, 200});
+      REQUIRE(view);
+      const std::string printed = cli::option_of(*view);
       glm::vec3 eye, at;
       REQUIRE(std::sscanf(printed.c_str(), "--eye %f,%f,%f --target %f,%f,%f", &eye.x, &eye.y, &eye.z, &at.x, &at.y,
                           &at.z) == 6);
@@ -154,11 +157,11 @@ TEST_CASE(
       CHECK(pasted.forward == chosen.forward);
       CHECK(pasted.right == chosen.right);
       CHECK(pasted.near_plane == chosen.near_plane);
-      CHECK(raster::chosen_view({}, options, box, {300, 200}).empty());
+      CHECK(!raster::chosen_view({}, options, box, {300, 200}));
     }
   scene::Scene scene;
   scene.cameras.resize(1);
-  CHECK(raster::chosen_view(scene, {}, box, {300, 200}).empty());
+  CHECK(!raster::chosen_view(scene, {}, box, {300, 200}));
 }
 
 TEST_CASE("an eye that looks along its own up still has a right side; an empty scene has a view") {
