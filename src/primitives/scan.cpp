@@ -15,14 +15,14 @@ struct Push {
 
 uint64_t divide_up(uint64_t a, uint64_t b) { return (a + b - 1) / b; }
 
-/// Lengths of all levels: the array itself, the sums of its runs, their sums, ... down to a single run.
+/// Lengths of all levels: the array, the sums of its runs, the sums of runs of these, and so on to a single run.
 std::vector<uint64_t> level_lengths(uint64_t n, uint32_t run) {
   std::vector<uint64_t> lengths{n};
   while (lengths.back() > run) lengths.push_back(divide_up(lengths.back(), run));
   return lengths;
 }
 
-/// Grows the sums of every level but the array itself; one more element each, for the total.
+/// Makes room for the sums of every level but the array itself, with one element more for the total.
 void reserve_sums(gpu::Recorder& recorder, ScanScratch& scratch, const std::vector<uint64_t>& lengths) {
   if (scratch.sums.size() + 1 < lengths.size()) scratch.sums.resize(lengths.size() - 1);
   for (size_t level = 1; level < lengths.size(); ++level)
@@ -44,7 +44,7 @@ gpu::Binding quads_of(const gpu::Buffer& buffer, uint64_t first, uint64_t count)
   return {buffer, first * 16, count * 16};
 }
 
-/// `before` is null where the array is one run.
+/// Scans each run; `before` has the sums of all elements before each, and is null where the array is a single run.
 void scan_runs(gpu::Recorder& recorder, const gpu::Buffer& source, const gpu::Buffer& destination, uint64_t n,
                const gpu::Buffer* before, ScanKind kind, ScanShape shape) {
   const gpu::Kernel kernel("primitives/scan_run",

@@ -1,6 +1,6 @@
 #pragma once
-// Prefix sums of arrays of any length. Every lane walks a run of elements of its own serially, so
-// nothing depends on the subgroup's size; the sums of the runs are scanned in the same way, level by level.
+// Prefix sums of arrays of any length. Each lane adds up a run of elements of its own, one after the other, so that
+// nothing depends on the subgroup's size. The sums of the runs are scanned in the same way, level by level.
 
 #include <cstdint>
 #include <vector>
@@ -16,7 +16,7 @@ struct ScanShape {
 };
 [[nodiscard]] ScanShape scan_shape(const gpu::Device& device);
 
-/// What a scan needs besides its arrays, kept between calls: the sums of runs a level.
+/// What a scan needs besides its arrays, kept between calls: for each level the sums of its runs.
 struct ScanScratch {
   std::vector<gpu::Buffer> sums;
 };

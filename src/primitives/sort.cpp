@@ -24,17 +24,18 @@ struct Pass {
   [[nodiscard]] uint64_t slots() const { return uint64_t(lanes()) << bits; }
 };
 
-/// Runs a kernel over the pass's lanes, a part of their runs a dispatch: an invocation's loops must stay short.
+/// Runs a kernel over the pass's lanes. Each dispatch takes only a part of every lane's run, because lavapipe 22.3 ends
+/// an invocation's loops after 65,535 turns.
 void dispatch_parts(gpu::Recorder& recorder, const gpu::Kernel& kernel, const Pass& pass,
                     std::initializer_list<gpu::Argument> arguments) {
-  constexpr uint32_t steps = 131072;  // a quarter of them loop iterations
+  constexpr uint32_t steps = 131072;  // pairs a lane and dispatch: four of them are a turn of the loop
   for (uint32_t first = 0; first < pass.shape.run; first += steps) {
     const Push push{pass.n, pass.lanes(), pass.shape.run, first, steps, pass.shift, (1u << pass.bits) - 1};
     recorder.dispatch(kernel, pass.lanes(), push, arguments, uint64_t(pass.lanes()) * std::min(steps, pass.shape.run));
   }
 }
 
-/// Counts and scans: leaves in the histogram where each lane's next pair of each digit goes.
+/// Counts the digits and scans the counts: the histogram then says where each lane's next pair of each digit goes.
 void find_places(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffer& pairs, const Pass& pass) {
   grow(recorder, scratch.histogram, quad_bytes(pass.slots()), "sort.histogram");
   recorder.fill(scratch.histogram, 0, pass.slots());
@@ -43,21 +44,23 @@ void find_places(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffe
   scan(recorder, scratch.scan, scratch.histogram, scratch.histogram, pass.slots(), ScanKind::exclusive);
 }
 
-/// `sorted` gets pairs or, where `values_only`, values.
+/// Moves the pairs, or with `values_only` only their values, to their places in `sorted`.
 void scatter(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffer& pairs, const gpu::Buffer& sorted,
              bool values_only, const Pass& pass) {
   const gpu::Kernel kernel("primitives/sort_scatter", {{0, pass.shape.group}, {1, values_only}, {2, pass.unstable}});
   dispatch_parts(recorder, kernel, pass, {{"pairs", pairs}, {"places", scratch.histogram}, {"sorted", sorted}});
 }
 
-/// Fills up to whole quads with pairs that go last, whatever the digit. Returns how many pairs there are now.
+/// Fills the last quad with pairs whose bits are all set, so that they are sorted last. Returns how many pairs there
+/// are now.
 uint32_t pad(gpu::Recorder& recorder, const gpu::Buffer& pairs, uint32_t n) {
   const uint32_t padded = (n + 3) / 4 * 4;
   recorder.fill(pairs, UINT32_MAX, 2 * (padded - n), 2 * uint64_t(n));
   return padded;
 }
 
-/// All passes, lowest digits first, each with an even share of the bits. `values`: the last pass writes there.
+/// All passes, lowest digit first, each with an even share of the bits. Where `values` is given, the last pass writes
+/// only values, and there.
 void sort(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,
           const SortOptions& options, const gpu::Buffer* values) {
   CRSH_ASSERT(key_bits <= 32, "a sort by more than 32 bits");
@@ -78,8 +81,8 @@ void sort(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uin
   }
 }
 
-/// Bits of a digit, even over all passes, for which the passes touch the least: a pair costs as much as four slots of
-/// the histogram (measured on lavapipe).
+/// The width of a digit, in bits, for which all passes together cost the least: a pair costs as much as four elements
+/// of the histogram (measured on lavapipe).
 uint32_t cheapest_digit(uint64_t n, uint32_t key_bits, uint32_t lanes) {
   constexpr uint32_t widest = 13;
   uint32_t best = 1;
