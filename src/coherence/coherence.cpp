@@ -11,7 +11,7 @@ void keep_creation_order(gpu::Recorder& recorder, uint32_t ray_count, const gpu:
   recorder.dispatch("coherence/creation_order", quads, quads, {{"order", order}}, ray_count);
 }
 
-/// Compresses the pairs in the scratch to chunks, sorts these, and expands them.
+/// Compresses the pairs in scratch.pairs to chunks, sorts the chunks, and expands them to rays again.
 void sort_compressed(gpu::Recorder& recorder, OrderScratch& scratch, const OrderIn& in, uint32_t key_bits, Order& out) {
   const uint32_t count = in.batch.count;
   Chunks& chunks = scratch.chunks;

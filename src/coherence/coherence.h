@@ -20,7 +20,7 @@ struct OrderIn {
   bool unstable = false;    ///< test-only fault: equal keys change their order
 };
 
-/// The batch's rays sorted by key, equal keys in the order of creation. Segments keep their places.
+/// The batch's rays sorted by key; rays of one key stay in creation order, and segments keep their places.
 struct Order {
   gpu::Buffer order;             ///< uint a place: the ray, an index into Batch::rays
   std::vector<uint32_t> chunks;  ///< a segment: chunks that its rays were compressed to; 0 without compression
@@ -35,8 +35,8 @@ struct OrderScratch {
   primitives::SortScratch sort;
 };
 
-/// Sorts the rays of a batch. Times go to the paper's rows: hashing to ray creation, the others to their own.
-/// With compression it submits and waits for the number of chunks.
+/// Sorts the rays of a batch. Hashing is timed as ray creation, as in the paper's Table 3; compression, sorting and
+/// decompression as stages of their own. With compression it submits, and waits for the number of chunks.
 void order(gpu::Recorder& recorder, OrderScratch& scratch, const OrderIn& in, Order& out);
 
 /// sorted[i] = rays[order[i]], shared::Ray; `sorted` grows to hold them.

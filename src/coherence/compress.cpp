@@ -19,7 +19,7 @@ struct DecompressPush {
   uint32_t ray_count, chunk_count;
 };
 
-/// Places that one lane of decompress.comp fills, and lanes of a workgroup.
+/// How decompress.comp is cut up: places that one lane fills, and lanes of a workgroup.
 struct FillShape {
   uint32_t run, group;
 };

@@ -9,7 +9,7 @@
 
 namespace crsh::coherence {
 
-/// Runs of neighbouring rays with one key.
+/// Runs of rays, next to one another in creation order, that have the same key.
 struct Chunks {
   gpu::Buffer pairs;  ///< uvec2 a chunk: key, chunk
   gpu::Buffer bases;  ///< uint a chunk: its first ray
@@ -17,7 +17,7 @@ struct Chunks {
   uint32_t count = 0;
 };
 
-/// What both ways need besides, kept between calls.
+/// What compression and decompression need besides, kept between calls.
 struct CompressScratch {
   gpu::Buffer flags;         ///< of heads, a uint a ray
   gpu::Buffer firsts;        ///< a uint a segment
@@ -27,17 +27,19 @@ struct CompressScratch {
   primitives::ScanScratch scan;
 };
 
-/// Compresses `ray_count` pairs, uvec2 (key, ray) with ray i at place i, into `out`: head flags where the key changes,
-/// their scan, and from it key, base and size of each chunk. Submits and waits for their number. (Figure 5.)
+/// Compresses `ray_count` pairs, uvec2 (key, ray) with ray i at place i, into `out`: flags the rays where the key
+/// changes, scans the flags, and makes key, base and size of each chunk from that. Submits, and waits for their number.
+/// (Figure 5.)
 void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buffer& pairs, uint32_t ray_count,
               Chunks& out);
 
-/// Chunks of each segment. Submits and waits where there is more than one segment with rays.
+/// How many chunks each segment has. Submits and waits where more than one segment has rays.
 [[nodiscard]] std::vector<uint32_t> count_chunks(gpu::Recorder& recorder, CompressScratch& scratch,
                                                  const Chunks& chunks, const std::vector<rays::Segment>& segments);
 
 /// Fills `order`, a uint for each of `ray_count` places, with the rays of the chunks in the order `sorted` (a uint a
-/// place: the chunk): skeleton array, its exclusive scan, and the filling. (Figure 6.)
+/// place: the chunk). The paper's skeleton array holds the sizes of the sorted chunks; its exclusive scan says where
+/// each begins. (Figure 6.)
 void decompress(gpu::Recorder& recorder, CompressScratch& scratch, const Chunks& chunks, const gpu::Buffer& sorted,
                 uint32_t ray_count, const gpu::Buffer& order);
 

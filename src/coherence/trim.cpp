@@ -8,7 +8,7 @@ namespace {
 using primitives::grow;
 using primitives::quad_bytes;
 
-/// The inclusive scan of the head flags at the last slot of each segment.
+/// How many rays there are up to each segment's end: the inclusive scan of the head flags at its last slot.
 std::vector<uint32_t> read_segment_ends(gpu::Recorder& recorder, TrimScratch& scratch, const rays::Batch& batch) {
   const size_t count = batch.segments.size();
   grow(recorder, scratch.segment_ends, count * 4, "trim.segment_ends");

@@ -15,9 +15,9 @@ struct TrimScratch {
   gpu::Buffer segment_ends;
 };
 
-/// Fills rays, slots, ends, count and each segment's first and count of `out` from `sparse_rays` (a shared::Ray a slot)
-/// and the head `flags` (a uint a slot, 1 where there is a ray, else 0; quad_bytes of all slots). On entry `out` has
-/// its segments (kind and light) and `surfaces`: slots, segment-major. Submits and waits for the counts.
+/// Collects the rays of `sparse_rays` (a shared::Ray a slot), where `flags` (a uint a slot, quad_bytes of all slots) is
+/// 1 and not 0: fills rays, slots, ends and count of `out`, and each segment's first and count. On entry `out` has its
+/// segments, with kind and light, and `surfaces`: the slots of a segment. Submits, and waits for the counts.
 void trim(gpu::Recorder& recorder, TrimScratch& scratch, const gpu::Buffer& sparse_rays, const gpu::Buffer& flags,
           rays::Batch& out);
 
