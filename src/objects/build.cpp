@@ -16,10 +16,11 @@ namespace {
 
 using primitives::quad_bytes;
 
-/// Neighbours that a cluster looks at on either side.
+/// How many neighbours on either side a cluster may pair up with.
 constexpr uint32_t search_radius = 16;
-/// Rounds after which clusters pair up by twos, whatever their boxes: a scene may be such that each round merges one
-/// pair, and no tree may be deeper than rays can remember. (A usual scene of a million triangles takes 30 or so.)
+/// After so many rounds every cluster merges with the next one, whatever their boxes. There are scenes where each round
+/// would merge a single pair, and a tree must not become deeper than the stack of a ray that walks it
+/// (max_object_depth). (A usual scene of a million triangles takes about 30 rounds.)
 constexpr uint32_t free_rounds = 64;
 
 struct Clusters {
@@ -39,7 +40,7 @@ class Builder {
     sort_triangles();
     begin_clusters();
     merge_clusters();
-    recorder_.submit();  // before what it uses goes
+    recorder_.submit();  // first, because recorded commands may still use the buffers freed here
     sorted_ = {}, clusters_ = {}, next_ = {}, nearest_ = {}, raw_costs_ = {};
     place_triangles();
     number_nodes();
@@ -71,7 +72,7 @@ class Builder {
     out_.node_count = nodes;
   }
 
-  /// Over one triangle or none: a root with a leaf, and a slot that stands empty.
+  /// Over one triangle or none: a root with at most one leaf; the other slots are empty.
   void make_only_node() {
     reserve_nodes(1);
     for (uint32_t slot = 0; slot < 2; ++slot) {
@@ -82,7 +83,7 @@ class Builder {
     out_.ranks = {{0, 1}};
   }
 
-  /// Triangles in Morton order, by two words: the sort is stable.
+  /// Sorts triangles by Morton codes of two words: first by the low word, then by the high one, as the sort is stable.
   void sort_triangles() {
     gpu::Buffer pairs(device_, primitives::pair_bytes(n_), "Morton codes");
     primitives::SortScratch scratch;
@@ -131,7 +132,7 @@ class Builder {
                        n_);
   }
 
-  /// Rounds until one cluster is left; each round's nodes are a rank of the raw tree.
+  /// Merges pairs of clusters, round by round, until one is left. Each round's nodes are a rank of the raw tree.
   void merge_clusters() {
     uint32_t first_node = n_ - 1;
     for (uint32_t count = n_, round = 0; count > 1; ++round) {
@@ -160,7 +161,7 @@ class Builder {
     }
   }
 
-  /// Where the clusters that stay go. Returns how many there are.
+  /// Finds each cluster's place in the next round. Returns how many clusters that has.
   uint32_t find_places(uint32_t count) {
     const struct { uint32_t count; } push{count};
     recorder_.dispatch("objects/pair", count, push, {{"nearest", nearest_}, {"stays", places_}}, count);
@@ -185,7 +186,7 @@ class Builder {
                        count);
   }
 
-  /// From the root down.
+  /// Gives each raw node the place of its first triangle in leaf order, from the root down.
   void place_triangles() {
     firsts_.reserve(device_, n_ * sizeof(uint32_t), "first triangles of raw nodes");
     recorder_.fill(firsts_, 0, 1);
@@ -196,7 +197,8 @@ class Builder {
                          rank.count);
   }
 
-  /// Nodes that are kept stay in the raw tree's order, the root first: its ranks become the hierarchy's.
+  /// Numbers the nodes that are kept, those that do not become leaves. They stay in the raw tree's order, the root
+  /// first, so that its ranks become the hierarchy's.
   void number_nodes() {
     const uint32_t raw_nodes = n_ - 1;
     primitives::scan(recorder_, scan_, places_, places_, raw_nodes + 1, primitives::ScanKind::exclusive);

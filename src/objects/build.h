@@ -6,8 +6,8 @@
 
 namespace crsh::objects {
 
-/// Builds all of `hierarchy` but its boxes, its cost and its leaf order's corners, which fit() makes. The same scene
-/// gives the same tree, bit for bit, whatever the subgroup's size.
+/// Builds the tree and the order of its leaves. Boxes, cost and the corners in leaf order are left to fit(). The same
+/// scene gives the same tree, bit for bit, whatever the subgroup's size.
 void build_tree(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy);
 
 }  // namespace crsh::objects

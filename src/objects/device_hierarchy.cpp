@@ -9,7 +9,7 @@
 namespace crsh::objects {
 namespace {
 
-/// As many triangles as before, in every frame: the structure is made once.
+/// Made once: every frame has as many triangles.
 void make(gpu::Recorder& recorder, uint32_t triangles, DeviceHierarchy& h) {
   gpu::Device& device = recorder.device();
   const uint64_t bytes = 3 * uint64_t(triangles) * sizeof(glm::vec4);

@@ -7,9 +7,9 @@
 namespace crsh::objects {
 namespace {
 
-/// The tree first, which keeps its own memory only while it is built.
+/// Builds the tree, whose scratch memory is free again afterwards, then fits its boxes.
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy) {
-  recorder.submit();  // what is recorded may still use the buffers that go now
+  recorder.submit();  // first, because recorded commands may still use the buffers freed here
   hierarchy = {.builds = hierarchy.builds, .refits = hierarchy.refits};
   build_tree(recorder, in, hierarchy);
   fit(recorder, in, hierarchy);

@@ -13,12 +13,12 @@
 
 namespace crsh::objects {
 
-/// Inner nodes that are no ancestors of each other.
+/// A run of inner nodes, none of which is an ancestor of another: their boxes can be fitted at the same time.
 struct Rank {
   uint32_t first = 0, count = 0;
 };
 
-/// The layout is described in shaders/shared/object.h. Every buffer can be bound, also where there is no triangle.
+/// shaders/shared/object.h describes the layout. Every buffer has memory and can be bound, even without a triangle.
 struct Hierarchy {
   gpu::Buffer box_low, box_high;       ///< vec4 a child slot, two slots a node
   gpu::Buffer leaf_a, leaf_b, leaf_c;  ///< vec4 a triangle, in leaf order
@@ -44,13 +44,13 @@ struct In {
   uint64_t submit_work = 0;         ///< tests or elements a submit
 };
 
-/// A refit whose cost is this many times the cost when built is followed by a build.
+/// A hierarchy is built anew when its cost after a refit is more than this many times its cost when built.
 inline constexpr double loose = 1.3;
 
-/// Makes `hierarchy` hold the scene's triangles where they are now: builds it at first, refits it where the pose is
-/// another than the last one, builds it anew where refitting has made it loose, and otherwise leaves it alone. Depends
-/// on poses alone, never on time. Submits, and waits. Throws gpu::OutOfMemory, and UserError where a list outgrows what
-/// the device can bind. (Stage: object hierarchy.)
+/// Makes `hierarchy` hold the scene's triangles where they are now: builds it at first, refits it when objects have
+/// moved, builds it anew when refitting has made it loose, and else does nothing. What it does depends only on poses,
+/// never on time. Submits, and waits. Throws gpu::OutOfMemory, and UserError where a list is larger than the device can
+/// bind. (Stage: object hierarchy.)
 void update(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy);
 
 /// Fits all boxes to the triangles where they are now, and finds the SAH cost.
