@@ -1,6 +1,7 @@
 #pragma once
-// Tests by ray and by node of one batch, for the layers Tests.*: kernels that test add them up where a layer is asked
-// for (lib/account.glsl), and at the end of the batch a node's tests are shared equally among its rays, down to pixels.
+// The account: tests of one batch by ray and by node, for the layers Tests.*. Where such a layer is asked for, kernels
+// that test add to it (lib/account.glsl). At the end of the batch each node's tests are shared equally among its rays,
+// and each ray's are added to its pixel.
 
 #include <array>
 #include <cstdint>
@@ -28,17 +29,17 @@ struct AccountIn {
   const gpu::Buffer& pixels;   ///< vec4 a surface, whose w has the bits of its pixel (Surfaces::diffuse)
 };
 
-/// One word a ray, in creation order, and a node of each level. A kernel that tests is dispatched as kernel(path),
-/// binds buffer_or(anything), and is told first(kind, level); with a default-constructed account it does no more than
-/// before.
+/// One word a ray, in creation order, and one a node of each level. A kernel that tests is dispatched as kernel(path),
+/// binds buffer_or(any buffer), and has first(kind, level) pushed. With an account that nothing is asked of, as
+/// no_account, the kernel is compiled without it.
 class Account {
  public:
   /// Empties the account for a batch of so many rays and its hierarchy. May submit.
   void begin(gpu::Recorder& recorder, WantedTests wanted, uint32_t rays, const Hierarchy& hierarchy);
 
-  /// The kernel with what is wanted switched on; further arguments: specialisation constants of its own.
+  /// The kernel, specialised for the tests that are wanted; `constants` are its own specialisation constants.
   [[nodiscard]] gpu::Kernel kernel(std::string path, std::vector<std::pair<uint32_t, uint32_t>> constants = {}) const;
-  /// What to bind; `stand_in` where nothing is wanted.
+  /// The buffer to bind: the account's, or `stand_in`, which is not used, where nothing is wanted.
   [[nodiscard]] const gpu::Buffer& buffer_or(const gpu::Buffer& stand_in) const;
   /// Slot of ray 0 (level 0) or of node 0 of a level; 0 where this kind is not wanted. Rays are tested against
   /// triangles and objects, nodes count as tests_node or tests_object.
@@ -58,7 +59,7 @@ class Account {
   gpu::Buffer buffer_;
 };
 
-/// Nothing is wanted.
+/// An account that nothing is asked of.
 inline const Account no_account;
 
 }  // namespace crsh::hierarchy

@@ -12,32 +12,32 @@ namespace {
 using primitives::grow;
 using primitives::quad_bytes;
 
-/// Groups for the object hierarchy end where level-1 nodes are so many times farther apart than their rays may be.
+/// The limits of groups, nodes of level 2 for the object hierarchy, are so many times those of level-1 nodes.
 constexpr float group_scale = 4;
 
 /// Whether nodes of this level end where coherence ends.
 bool is_cut(const In& in, uint32_t index) { return in.options.nodes == NodeCut::cut && (index == 0 || in.cut_groups); }
 
-/// Children of a level, all segments together.
+/// How many children a level has in all segments together.
 uint32_t count_children(const std::vector<Range>& below) {
   uint32_t count = 0;
   for (const Range& range : below) count = std::max(count, range.end());
   return count;
 }
 
-/// Room for the level's ranges; bounds follow in reserve_bounds().
+/// Makes room for the level's ranges; bound() does so for bounds.
 void reserve_ranges(gpu::Recorder& recorder, Level& level, uint32_t children) {
   grow(recorder, level.children, level.count * sizeof(glm::uvec2), "ranges of children");
   grow(recorder, level.rays, level.count * sizeof(glm::uvec2), "ranges of rays");
   grow(recorder, level.parents, uint64_t(children) * sizeof(uint32_t), "parents");
 }
 
-/// The ray ranges of the children; level 1 has none, and does not read them.
+/// The ray ranges of the children. Those of level 1 are rays and have none: any buffer can be bound, as it is not read.
 const gpu::Buffer& rays_of_children(const Hierarchy& out, uint32_t index) {
   return index == 0 ? out.levels[index].children : out.levels[index - 1].rays;
 }
 
-/// Every `arity` children a node, segment by segment.
+/// Makes a node of every `arity` children, segment by segment.
 void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index,
                  Hierarchy& out) {
   Level& level = out.levels[index];
@@ -63,7 +63,7 @@ void group_fixed(gpu::Recorder& recorder, const In& in, const std::vector<Range>
   }
 }
 
-/// Flags the children with which nodes begin, and notes where these nodes end.
+/// Flags the children with which nodes begin, and writes where these nodes end.
 void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index,
                 Hierarchy& out) {
   const uint32_t children = count_children(below);
@@ -89,7 +89,7 @@ void flag_heads(gpu::Recorder& recorder, const In& in, const std::vector<Range>&
   }
 }
 
-/// The nodes of each segment, from the first children of all nodes.
+/// The nodes of each segment, found by the first children of all nodes.
 std::vector<Range> segments_of(const std::vector<glm::uvec2>& children, const std::vector<Range>& below) {
   const auto first_from = [&](uint32_t child) {
     return uint32_t(std::ranges::lower_bound(children, child, {}, &glm::uvec2::x) - children.begin());
@@ -102,7 +102,8 @@ std::vector<Range> segments_of(const std::vector<glm::uvec2>& children, const st
   return segments;
 }
 
-/// Nodes end where coherence ends: head flags, their scan, bases and sizes, as the paper compresses rays to chunks.
+/// Makes nodes that end where coherence ends, in the way in which the paper compresses rays to chunks: flags the first
+/// child of each, scans the flags, and writes where each node begins and ends.
 void group_cut(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
   Level& level = out.levels[index];
   const uint32_t children = count_children(below);

@@ -1,15 +1,16 @@
 #pragma once
-// Which children make a node: every so many of them, or as far as their rays are coherent.
+// Which children make a node: every `arity` of them, or as many as are coherent.
 
 #include "hierarchy/hierarchy.h"
 
 namespace crsh::hierarchy {
 
-/// How far apart the rays of a cut node may be: as shaders/hierarchy/goes_along.glsl takes it.
+/// How far a ray may be from the first one of a cut node (shaders/hierarchy/goes_along.glsl): the chord between their
+/// directions on the unit sphere, and the distance of their origins, metres.
 struct CutLimits {
   float chord, reach;
 };
-/// Of the nodes of levels[index]; `extent` is the longest edge of the scene's bounds, metres.
+/// The limits for nodes of levels[index]; `extent` is the longest edge of the scene's bounds, metres.
 [[nodiscard]] CutLimits cut_limits(const AlgorithmOptions& options, float extent, uint32_t index);
 
 /// Levels that the rays of the `s`th segment get.

@@ -12,10 +12,11 @@
 namespace crsh::hierarchy {
 namespace {
 
-/// Above so many rays a node, fitted bounds are merged from the level below: a lane's loops have to end.
+/// Where nodes may hold more rays than this, their bounds are merged from the level below and not fitted to the rays:
+/// the lane that fits a bound loops over all its rays, and lavapipe 22.3 ends loops after 65,535 turns.
 constexpr uint64_t most_fitted_rays = 8192;
 
-/// What a bound's file declares of itself, by constant_id (shaders/hierarchy/bounds).
+/// The constants in which a bound's file says its size and how it is merged, by constant_id (shaders/hierarchy/bounds).
 constexpr uint32_t bound_bytes_id = 9, bound_merge_fits_id = 10;
 /// What a bound with cones can be told; others have no such constant, and then it does nothing.
 constexpr uint32_t cone_test_as_printed_id = 11;
@@ -33,21 +34,21 @@ uint32_t depth_of(const In& in) {
   return depth;
 }
 
-/// Ranges of the rays themselves: what level 1 groups.
+/// Each segment's rays: the children of level 1.
 std::vector<Range> ray_ranges(const In& in) {
   std::vector<Range> ranges;
   for (const rays::Segment& segment : in.segments) ranges.push_back({segment.first, segment.count});
   return ranges;
 }
 
-/// Whether a level's bounds are fitted to all rays below, by a lane a node; else they are merged from the children.
+/// Whether a level's bounds are fitted to all rays below; else they are merged from the bounds of their children.
 bool is_fitted(const AlgorithmOptions& options, uint32_t index) {
   uint64_t rays_a_node = 1;
   for (uint32_t l = 0; l <= index && rays_a_node <= most_fitted_rays; ++l) rays_a_node *= options.arity;
   return options.fit == Fit::all && rays_a_node <= most_fitted_rays && !declared(options.bound, bound_merge_fits_id);
 }
 
-/// Bounds of one level.
+/// Makes the bounds of one level.
 void bound(gpu::Recorder& recorder, const In& in, Hierarchy& out, uint32_t index) {
   Level& level = out.levels[index];
   primitives::grow(recorder, level.nodes, uint64_t(level.count) * declared(in.options.bound, bound_bytes_id), "nodes");
@@ -94,7 +95,7 @@ Range Level::children_of(Range wanted) const {
     const uint32_t first = cut_children[wanted.first].x;
     return {first, cut_children[wanted.end() - 1].y - first};
   }
-  const auto boundary = [&](uint32_t node, uint32_t past) {  // first child of `node`, or of the node `past` it
+  const auto boundary = [&](uint32_t node, uint32_t past) {  // first child of the node `past` places after `node`
     size_t s = 0;
     while (s + 1 < segments.size() && node >= segments[s].end()) ++s;
     const uint32_t child = child_segments[s].first + (node + past - segments[s].first) * most_children;

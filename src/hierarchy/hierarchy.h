@@ -35,11 +35,11 @@ struct Level {
   uint32_t most_children = 0;            ///< of a node
   std::vector<glm::uvec2> cut_children;  ///< `children`, where nodes are cut and not of one size
 
-  /// The children, on the level below, of a run of nodes.
+  /// The children of a run of nodes, on the level below.
   [[nodiscard]] Range children_of(Range wanted) const;
 };
 
-/// What cutting nodes needs besides, kept between calls.
+/// What making cut nodes needs besides, kept between calls.
 struct CutScratch {
   gpu::Buffer heads;  ///< uint a child: 1 where a node begins
   gpu::Buffer ends;   ///< uint a child: where the node that begins there ends
@@ -70,7 +70,8 @@ struct In {
   std::vector<bool> without_nodes = {};  ///< by segment; empty: all segments get nodes
 };
 
-/// Builds up to max(options.levels) levels; segments whose kind wants fewer have no nodes above. Records, may submit.
+/// Builds as many levels as the kind with the most wants; segments of other kinds have no nodes on levels above theirs.
+/// Records, and may submit.
 void build(gpu::Recorder& recorder, const In& in, Hierarchy& out);
 
 /// Specialisation constants of kernels that test nodes against objects, boxes or triangles.

@@ -11,10 +11,10 @@
 namespace crsh::hierarchy {
 namespace {
 
-/// Runs of a segment that are looked at, about: some ten thousand rays.
+/// About how many runs of a segment are looked at: some ten thousand rays.
 constexpr uint32_t most_runs = 256;
 
-/// Every so many-th run of a segment's rays.
+/// Which runs of a segment's rays are looked at: every `stride`-th one, by a lane each, with so many rays in all.
 struct Sample {
   uint32_t stride, lanes, rays;
 };

@@ -1,5 +1,6 @@
 #pragma once
-// How coherent rays are as they are created, from a sample: what decides by counts whether nodes of them pay.
+// How coherent rays are in creation order, measured on a sample of them: it decides whether to make nodes of them.
+// Counts decide, never times, so that the same frame is always traced in the same way.
 
 #include <vector>
 
