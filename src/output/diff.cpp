@@ -44,7 +44,7 @@ void check_layers(const Image& a, const Image& b, const std::vector<std::string>
                       Exit::usage);
 }
 
-/// Why pixels cannot be compared; empty when they can.
+/// Why the pixels cannot be compared; empty where they can.
 std::string find_mismatch(const Image& a, const Image& b, const std::vector<std::string>& layers, bool exact) {
   if (a.width != b.width || a.height != b.height)
     return fmt::format("sizes differ: {}x{} against {}x{}", a.width, a.height, b.width, b.height);
@@ -57,7 +57,7 @@ std::string find_mismatch(const Image& a, const Image& b, const std::vector<std:
   return {};
 }
 
-/// Sums up one channel after the other.
+/// Adds up the differences of one channel after the other.
 struct Tally {
   const Image& a;
   const Image& b;

@@ -18,7 +18,7 @@ struct Tolerance {
   double hard_fail = 0.05;    ///< no pixel may differ by more
 };
 
-/// A pixel and channel and what both images have there.
+/// A pixel and a channel, and both images' values there.
 struct Worst {
   uint32_t x = 0, y = 0;
   std::string channel;
@@ -26,18 +26,18 @@ struct Worst {
 };
 
 struct Comparison {
-  std::string mismatch;  ///< sizes or channels that forbid a comparison of pixels; empty: compared
+  std::string mismatch;  ///< why pixels were not compared: other sizes or channels; empty: they were
   bool same = false;     ///< within the tolerance
   uint32_t width = 0, height = 0;
   std::vector<std::string> channels;  ///< compared
   uint64_t failing = 0;               ///< pixels beyond `fail`, or with unequal bits
-  double mean = 0;                    ///< difference over all pixels and channels that are finite
+  double mean = 0;                    ///< mean of all finite differences, over pixels and channels
   std::optional<Worst> worst;         ///< none where all is equal
   std::vector<float> differences;     ///< a pixel: the largest over the channels
 };
 
 /// Compares the channels of `layers` ("beauty" is R, G, B, A; "all"). The difference of two values is absolute for
-/// PNG, |a-b| / max(|a|, |b|, 0.01) for OpenEXR, and 1 for unequal ids; infinite where one only is not a number.
+/// PNG, |a-b| / max(|a|, |b|, 0.01) for OpenEXR, and 1 for unequal ids; infinite where only one is not a number.
 /// Throws UserError for a layer in neither image and for images of two formats.
 [[nodiscard]] Comparison compare(const Image& a, const Image& b, const std::vector<std::string>& layers,
                                  const Tolerance& tolerance);

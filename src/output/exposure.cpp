@@ -13,7 +13,7 @@ namespace {
 
 constexpr double median_target = 0.25;
 
-/// The brightest channel of every pixel with light in it.
+/// The value of the brightest channel of each pixel that is not black.
 std::vector<double> lit_pixels(const Layer& beauty) {
   std::vector<double> lit;
   for (size_t first = 0; first + 4 <= beauty.values.size(); first += 4) {
@@ -59,7 +59,7 @@ std::optional<ExposureAdvice> exposure_advice(const Layer& beauty, double exposu
   if (lit.empty()) return ExposureAdvice{"every pixel is black: nothing in view is lit", {}};
   const Count now = count_bad(lit, exposure);
   const double better = exposure_for(lit);
-  const size_t dark = pixels - lit.size();  // no exposure helps these
+  const size_t dark = pixels - lit.size();  // black at any exposure
   if ((now.bad() + dark) * 2 <= pixels || now.bad() * 2 <= lit.size()) return {};
   if (count_bad(lit, better).bad() >= now.bad()) return {};
   return ExposureAdvice{fmt::format("{} of the lit pixels {}", now.bad() == lit.size() ? "all" : "over half",

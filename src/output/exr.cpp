@@ -28,7 +28,7 @@ namespace {
 
 constexpr float largest_half = 65504;
 
-/// GLM's columns are the rows of Imath, which multiplies vectors from the left: the same sixteen floats.
+/// The same sixteen floats: GLM stores columns, and Imath, which multiplies a row vector from the left, stores rows.
 Imath::M44f imath(const glm::mat4& matrix) {
   Imath::M44f result;
   std::memcpy(&result.x[0][0], &matrix[0][0], sizeof(result.x));
@@ -44,13 +44,13 @@ Imf::Header header_of(const Picture& picture, const Attributes& attributes) {
   return header;
 }
 
-/// Counts what it clamps; not a number stays what it is.
+/// Adds to `clamped` where the value is beyond 65504. Not a number stays what it is.
 half clamped_half(float value, uint64_t& clamped) {
   if (std::abs(value) > largest_half) ++clamped;
   return half(std::isnan(value) ? value : std::clamp(value, -largest_half, largest_half));
 }
 
-/// The half values of the layers written so far: a frame buffer points into them.
+/// The values of layers as half floats, kept until the file is written because the frame buffer points to them.
 struct HalfLayers {
   std::list<std::vector<half>> layers;
   uint64_t clamped = 0;
@@ -61,7 +61,7 @@ struct HalfLayers {
   }
 };
 
-/// `first`: the layer's interleaved values.
+/// Adds a layer's channels to the header and the frame buffer; `first` points to its interleaved values.
 template <class T>
 void add_channels(Imf::Header& header, Imf::FrameBuffer& buffer, const Layer& layer, uint32_t width, const T* first) {
   constexpr Imf::PixelType type = std::is_same_v<T, half>    ? Imf::HALF
@@ -75,7 +75,7 @@ void add_channels(Imf::Header& header, Imf::FrameBuffer& buffer, const Layer& la
   }
 }
 
-/// Compression takes most of the time: OpenEXR spreads it over threads and writes the chunks in order.
+/// Lets OpenEXR compress in several threads, which takes most of the time. It writes the chunks in order all the same.
 void use_all_cores() {
   static const bool once = (Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())), true);
   (void)once;
@@ -85,7 +85,7 @@ Sample sample_of(Imf::PixelType type) {
   return type == Imf::HALF ? Sample::half : type == Imf::FLOAT ? Sample::real : Sample::id;
 }
 
-/// Throws std::runtime_error with the reason why this image is not read.
+/// The image's window. Throws std::runtime_error with the reason where such images are not read.
 Imath::Box2i checked_window(const Imf::Header& header) {
   const Imath::Box2i window = header.dataWindow();
   const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
@@ -97,7 +97,8 @@ Imath::Box2i checked_window(const Imf::Header& header) {
   return window;
 }
 
-/// Halves lie in the lower 16 bits: OpenEXR writes their two bytes into a zeroed word (little-endian).
+/// Half floats come to lie in the lower 16 bits of a word: OpenEXR writes two bytes into words that are 0
+/// (little-endian).
 Image read_channels(Imf::InputFile& file) {
   const Imath::Box2i window = checked_window(file.header());
   Image image{.format = Format::exr,
@@ -119,7 +120,7 @@ Image read_channels(Imf::InputFile& file) {
   return image;
 }
 
-/// OpenEXR's messages in one line.
+/// A message of OpenEXR's, made one line.
 std::string one_line(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   return text;
@@ -140,7 +141,7 @@ EncodedExr encode_exr(const Picture& picture, std::span<const std::string> layer
   }
   MemoryOutput stream;
   {
-    Imf::OutputFile file(stream, header);  // its destructor writes the table of chunks
+    Imf::OutputFile file(stream, header);  // in a scope of its own: the destructor writes the table of chunks
     file.setFrameBuffer(buffer);
     file.writePixels(static_cast<int>(picture.height));
   }

@@ -17,7 +17,7 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 struct EncodedExr {
   std::string bytes;
-  uint64_t clamped = 0;  ///< half values beyond 65504, written as that
+  uint64_t clamped = 0;  ///< half values beyond 65504, which were written as 65504
 };
 
 /// The layers of these names (the beauty's is ""): the beauty as half, numbers as uint, the others as float.
@@ -29,7 +29,8 @@ struct EncodedExr {
 uint64_t write_exr(const std::filesystem::path& path, const Picture& picture, std::span<const std::string> layers,
                    const Attributes& attributes);
 
-/// The first part of an OpenEXR file, flat and not subsampled. Throws UserError that begins with `name`.
+/// Reads the first part of an OpenEXR file. It must be flat and not subsampled. Throws UserError that begins with
+/// `name`.
 [[nodiscard]] Image decode_exr(const std::string& bytes, const std::string& name);
 
 }  // namespace crsh::output

@@ -28,7 +28,8 @@ glm::dvec3 linear_of_lab(double lightness, double a, double b) {
           glm::dot(glm::dvec3(0.0556434, -0.2040259, 1.0572252), xyz)};
 }
 
-/// Violet, blue, teal, green, yellow. The chroma keeps every colour within sRGB: its room is narrow in the teal middle.
+/// Violet, blue, teal, green, yellow. The chroma is low enough for sRGB everywhere; in the middle, at teal, it can hold
+/// little.
 Colour scale_colour(double t) {
   const double lightness = 15 + 78 * t, hue = (310 - 210 * t) * std::numbers::pi / 180;
   const double chroma = 26 + 40 * std::pow(2 * t - 1, 4) + 25 * t * t * t;
@@ -36,7 +37,7 @@ Colour scale_colour(double t) {
   return {srgb_byte(linear.r), srgb_byte(linear.g), srgb_byte(linear.b)};
 }
 
-/// The scale in steps too fine for 8 bits.
+/// The scale as a table, in finer steps than 8 bits can show.
 const std::vector<Colour>& scale() {
   static const std::vector<Colour> colours = [] {
     std::vector<Colour> made(1024);
@@ -54,7 +55,7 @@ double rounded_up(double value) {
   return 10 * power;
 }
 
-/// The largest of 1, 2 or 5 times a power of ten of which at least two fit.
+/// The largest of 1, 2 or 5 times a power of ten that fits into `maximum` at least twice.
 double tick_step(double maximum) {
   const double power = std::pow(10, std::floor(std::log10(maximum)));
   for (const double digit : {5.0, 2.0, 1.0, 0.5})

@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little);
 constexpr std::string_view magic = "\x93NUMPY";
 constexpr size_t alignment = 64;  // of the values in the file
 
-/// (100,) or (100, 3)
+/// A shape as NumPy writes it: "(100,)" or "(100, 3)".
 std::string shape_text(const std::vector<uint64_t>& shape) {
   return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
 }
@@ -61,7 +61,7 @@ NpyType type_of(const std::string& text, const std::string& name) {
   return {kind, count * unit_of(kind)};
 }
 
-/// "100, 3" and "100,"
+/// The numbers of a shape such as "100, 3" or "100,".
 std::vector<uint64_t> shape_of(const std::string& text, const std::string& name) {
   static const std::regex number("[0-9]+");
   std::vector<uint64_t> shape;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view opening = "{frame";
 
-/// The width that follows "{frame" at `position` and the length of it all; throws UserError.
+/// A field "{frame}" or "{frame:N}" at `position`: how many digits it asks for, and its length. Throws UserError.
 struct Field {
   int digits = 4;
   size_t length = opening.size() + 1;

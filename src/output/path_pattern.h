@@ -16,7 +16,7 @@ class PathPattern {
 
   [[nodiscard]] Format format() const { return format_; }
   [[nodiscard]] bool to_stdout() const { return text_ == "-"; }
-  /// Frames have paths of their own.
+  /// Whether each frame has a path of its own.
   [[nodiscard]] bool has_frame() const;
   /// The number in four digits, or in N for {frame:N}; in more where it needs more.
   [[nodiscard]] std::string at(uint32_t frame) const;

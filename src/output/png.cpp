@@ -36,7 +36,7 @@ std::array<uint8_t, 4> display_pixel(const float* rgba, double scale) {
   return {srgb_byte(rgba[0] * factor), srgb_byte(rgba[1] * factor), srgb_byte(rgba[2] * factor), byte_of(coverage)};
 }
 
-/// Names of PNG's channels, by their number, as stb_image interleaves them.
+/// The names of an image's channels, given how many it has, in the order in which stb_image interleaves them.
 std::span<const char* const> channel_names(int count) {
   static constexpr std::array names = {"Y", "A", "R", "G", "B", "A"};
   return count <= 2 ? std::span(names).first(static_cast<size_t>(count))

@@ -78,7 +78,7 @@ std::string processor_name() {
   return "unknown";
 }
 
-/// Four rows as the EXR attribute has them: a point is a row vector, multiplied from the left.
+/// Four rows, as in the EXR's attribute: a point is a row vector, and is multiplied from the left.
 Json matrix_json(const glm::mat4& matrix) {
   Json rows = Json::array();
   for (int row = 0; row < 4; ++row) rows.push_back({matrix[row].x, matrix[row].y, matrix[row].z, matrix[row].w});

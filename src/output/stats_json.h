@@ -11,7 +11,7 @@
 
 namespace crsh::output {
 
-/// What the counters do not say themselves.
+/// What is written besides the statistics.
 struct RunDescription {
   std::vector<std::string> command;  ///< as it was given
   nlohmann::ordered_json options;    ///< every effective value, by the option's name
@@ -20,7 +20,7 @@ struct RunDescription {
   glm::mat4 world_to_camera{1}, world_to_ndc{1};  ///< of the last frame, as in the EXR
   uint32_t width = 0, height = 0, samples = 1;
   std::string algorithm;
-  bool replayed = false;  ///< no camera, no image
+  bool replayed = false;  ///< the rays came from a file: there is no camera and no image
 };
 
 /// Counters are exact 64-bit integers, hits_digest 16 hex digits.

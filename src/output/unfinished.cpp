@@ -22,7 +22,8 @@ struct Slot {
 std::array<Slot, slot_count> slots;
 std::atomic<unsigned> names_given = 0;
 
-/// Only async-signal-safe calls. SA_RESETHAND has restored the ordinary course, which follows on return.
+/// Makes only async-signal-safe calls. SA_RESETHAND has restored the default action, so the signal, raised again, ends
+/// the program as usual.
 void remove_all(int signal) {
   for (const Slot& slot : slots)
     if (slot.named) ::unlink(slot.name);

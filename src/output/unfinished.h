@@ -1,5 +1,5 @@
 #pragma once
-// Names of temporary files, kept where a signal handler can remove the files. For whole_file.cpp only.
+// Names of temporary files, kept so that a signal handler can remove the files. Used only by whole_file.cpp.
 
 #include <cstddef>
 #include <filesystem>
@@ -11,10 +11,10 @@ inline constexpr size_t slot_count = 16;
 /// A free slot with a fresh file name in `folder`. Throws UserError where all are taken or the name is too long.
 [[nodiscard]] size_t claim(const std::filesystem::path& folder);
 [[nodiscard]] const char* name(size_t slot);
-/// The slot's file is gone or in its place.
+/// Forgets a slot's file, which has been removed or renamed to its place.
 void release(size_t slot);
 
-/// SIGTERM, SIGINT, SIGHUP, SIGPIPE: remove the files of all slots, then take the signal's ordinary course.
+/// SIGTERM, SIGINT, SIGHUP, SIGPIPE: remove the files of all slots, then end the program as usual.
 void remove_on_signals();
 
 }  // namespace crsh::output::unfinished

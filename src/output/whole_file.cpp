@@ -41,7 +41,7 @@ fs::path resolved(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// A device, pipe or socket: nothing to rename onto.
+/// Whether it is a device, pipe or socket, which is written directly and not replaced by a new file.
 bool is_special(const fs::path& path) {
   std::error_code ignored;
   return fs::is_other(path, ignored);
@@ -72,7 +72,7 @@ void check_place(const fs::path& path) {
   }
 }
 
-/// An existing file keeps its permissions.
+/// Gives the new file the permissions of the one that it replaces.
 void copy_mode(const fs::path& from, int to) {
   struct stat status = {};
   if (::stat(from.c_str(), &status) == 0) [[maybe_unused]]
@@ -107,7 +107,7 @@ void WholeFile::commit() {
   if (::close(std::exchange(file_, -1)) != 0) fail();
 }
 
-/// For errno as it stands. The destructor does not run for a constructor that throws: clean up here as well.
+/// Throws for errno. It also cleans up, because no destructor runs where the constructor throws.
 void WholeFile::fail() {
   const int error = errno;
   close();
@@ -150,7 +150,7 @@ std::string read_whole(const fs::path& path) {
 
 void check_writable(const fs::path& path) {
   check_place(path);
-  if (!is_special(resolved(path))) WholeFile file(path);  // opening a pipe would wait for its reader
+  if (!is_special(resolved(path))) WholeFile file(path);  // not of a pipe, as opening it would wait for a reader
 }
 
 void remove_unfinished_files_on_signals() { unfinished::remove_on_signals(); }

@@ -1,5 +1,5 @@
 #pragma once
-// Files that appear whole or not at all, and what is checked of their place before any work is done for them.
+// Files that appear whole or not at all, and the check, before a long run, that they can be written.
 
 #include <cstddef>
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace crsh::output {
 
-/// Written beside its place and renamed by commit(); without it, or on a signal (see
-/// remove_unfinished_files_on_signals), nothing stays. Devices and pipes are written directly.
+/// A file that is written beside its place and renamed by commit(). Without commit(), or after a signal (see
+/// remove_unfinished_files_on_signals), nothing of it stays. Devices and pipes are written directly.
 class WholeFile {
  public:
   /// Throws UserError where the file cannot be made.
@@ -18,9 +18,9 @@ class WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// Throws UserError, on a full disk for example.
+  /// Throws UserError where it cannot be written, on a full disk for example.
   void write(std::string_view bytes);
-  /// Puts the file in its place, safely on disk.
+  /// Makes sure that all is on the disk, and renames the file to its place.
   void commit();
 
  private:
@@ -33,16 +33,17 @@ class WholeFile {
   int file_ = -1;
 };
 
-/// WholeFile in one step.
+/// Writes a whole file in one step.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
-/// All of standard output's data goes through here: a failing write throws UserError.
+/// Writes to standard output; all data goes through here. Throws UserError where that fails.
 void write_stdout(std::string_view bytes);
 
 /// The bytes of a file. Throws UserError for folders and for what is missing or unreadable.
 [[nodiscard]] std::string read_whole(const std::filesystem::path& path);
 
-/// Throws UserError where a file could not be written to `path` now: its folder is missing, it is a folder, ...
+/// Throws UserError where no file can be written to `path`, for example because its folder is missing or it is a
+/// folder.
 void check_writable(const std::filesystem::path& path);
 
 /// SIGTERM, SIGINT, SIGHUP and SIGPIPE remove unfinished files first, then end the program as they always do.

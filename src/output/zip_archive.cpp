@@ -11,10 +11,10 @@
 namespace crsh::output {
 namespace {
 
-constexpr uint32_t quick = 1;                // of deflate's levels: half of zlib's usual time for a tenth more bytes
+constexpr uint32_t quick = 1;                // level of deflate: half the time of zlib's default, a tenth more bytes
 constexpr uint16_t first_date = 1 << 5 | 1;  // 1 January 1980, where ZIP's time begins
 
-/// The archive's bytes, out of the source that it was written to.
+/// The bytes of the archive that was written to this source.
 std::string bytes_of(zip_source_t* source) {
   zip_stat_t status;
   CRSH_ASSERT(zip_source_open(source) == 0 && zip_source_stat(source, &status) == 0, "a ZIP archive in memory");
@@ -76,7 +76,8 @@ std::string ZipReader::read(const std::string& file) const {
   const std::unique_ptr<zip_file_t, CloseFile> open(zip_fopen(archive_.get(), file.c_str(), 0));
   if (!open || zip_stat(archive_.get(), file.c_str(), 0, &status) != 0) refuse(zip_strerror(archive_.get()));
   std::string bytes;
-  // Piece by piece: a size that is only claimed costs no memory. The last, empty piece is where the sum is checked.
+  // A part at a time, so that a file that claims to be huge takes no memory. libzip checks the sum when it reads the
+  // last, empty part.
   for (zip_int64_t length = 1; length > 0;) {
     const size_t before = bytes.size();
     bytes.resize(before + (size_t(1) << 20));

@@ -20,7 +20,7 @@ class ZipReader {
   ZipReader(std::string bytes, std::string name);
 
   [[nodiscard]] bool has(const std::string& file) const;
-  /// The bytes of a file that is there. Throws UserError where they are broken.
+  /// The bytes of a file of the archive. Throws UserError where they are broken.
   [[nodiscard]] std::string read(const std::string& file) const;
 
  private:
