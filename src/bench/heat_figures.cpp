@@ -11,7 +11,8 @@
 namespace crsh::bench {
 namespace {
 
-/// Algorithms differ a hundredfold: the scale shows log10(1 + tests).
+/// log10(1 + tests): algorithms differ so much, a hundredfold, that a linear scale would show nothing of the better
+/// ones.
 std::vector<float> logarithms(const std::vector<float>& tests) {
   std::vector<float> values(tests.size());
   std::ranges::transform(tests, values.begin(), [](float value) { return std::log10(1 + std::max(value, 0.0f)); });
@@ -37,7 +38,7 @@ std::string legend_html(double maximum) {
                                  data_address("image/png", output::encode_colour_png(output::heat_legend(256, 1))));
   for (const output::HeatTick& tick : log_ticks(maximum))
     html += fmt::format("<span style='left:{:.2f}%'>{}</span>", 100 * tick.place, tick.label);
-  // The end of the scale only where no tick is near.
+  // The end of the scale gets a tick of its own only where no other one is near.
   if (const auto ticks = log_ticks(maximum); ticks.back().place < 0.85)
     html += fmt::format("<span style='left:100%'>{}</span>", count_text(static_cast<uint64_t>(maximum)));
   return html + "</div></div>\n<p class='note'>Tests a pixel, of all its rays; one scale for all pictures.</p>\n";

@@ -7,7 +7,7 @@
 
 namespace crsh::bench {
 
-/// Bytes as a data: address.
+/// An address (data:...) that holds the bytes themselves, for pages that load nothing.
 [[nodiscard]] std::string data_address(const std::string& type, const std::string& bytes);
 
 /// The picture and a heat map an algorithm, all on one logarithmic scale, with its legend. Empty without pictures.

@@ -73,7 +73,7 @@ std::string table_html(const Table& table) {
   return html + "</tbody></table></div>\n" + note_html(table.note);
 }
 
-/// A shell takes these words as the command line was.
+/// The words quoted so that a shell takes them apart again as they were given.
 std::string command_line(const std::vector<std::string>& words) {
   std::vector<std::string> quoted;
   for (const std::string& word : words) {
@@ -101,7 +101,7 @@ std::string machine_html(const Description& description) {
       description.schedule.repeat, description.schedule.warmup);
 }
 
-/// Tests of each level, from objects down to rays.
+/// The tests of each level as bars: of objects first, of single rays last.
 BarGroup levels_of(const Result& result, const RayFilter& filter) {
   uint64_t objects = 0, rays_tests = 0;
   std::map<uint32_t, uint64_t, std::greater<>> levels;
@@ -147,7 +147,7 @@ std::string times_html(const SceneResults& scene) {
   return fmt::format("<h3>{}</h3>\n{}", escaped(title), stacks_svg(stacks, names, "ms", title));
 }
 
-/// "fewest tests: crsh; least time: bvh".
+/// Which variant has the least: "fewest tests: crsh; least time: bvh".
 template <class Value>
 std::string least(const SceneResults& scene, Value value) {
   const Result* best = nullptr;

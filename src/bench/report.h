@@ -1,5 +1,5 @@
 #pragma once
-// The report: one page of HTML that needs nothing but itself.
+// The report: one page of HTML that holds all it needs and loads nothing.
 
 #include <string>
 #include <vector>

@@ -9,7 +9,7 @@
 namespace crsh::bench {
 namespace {
 
-/// Ground and strokes of a pattern, eight units wide.
+/// A pattern's background and strokes, in a square of eight units.
 struct Pattern {
   const char *ground, *strokes;
 };
@@ -45,7 +45,7 @@ std::string power_text(int power) {
   return fmt::format("{}G", std::llround(std::pow(10, power - 9)));
 }
 
-/// Powers of ten around positive values.
+/// A logarithmic scale between powers of ten that enclose all values, which are positive.
 struct LogScale {
   int low = 0, high = 1;
   [[nodiscard]] double place(double value) const { return (std::log10(value) - low) / (high - low); }
@@ -59,7 +59,7 @@ LogScale scale_of(const Values& values) {
   return scale;
 }
 
-/// Every power of ten, or every second or third where they are many.
+/// Which powers of ten have a mark: all, or every second or third where there would be more than `most`.
 std::vector<int> marks_of(const LogScale& scale, int most) {
   const int step = (scale.high - scale.low + most - 1) / most;
   std::vector<int> marks;
@@ -70,7 +70,7 @@ std::vector<int> marks_of(const LogScale& scale, int most) {
 double percent_x(double place) { return bars_left + bars_width * place; }
 
 std::string bar_row(const Bar& bar, const LogScale& scale, double y) {
-  // What is the least of all shows, too.
+  // The smallest value gets a visible bar, too.
   const double width = bars_width * std::max(scale.place(bar.value), 0.01);
   return text_at(fmt::format("{}%", bars_left - 2), y + 11, bar.name, "text-anchor='end'") +
          fmt::format(
@@ -93,7 +93,7 @@ std::string log_grid(const LogScale& scale, double height) {
 
 constexpr double plot_left = 13, plot_width = 84, plot_top = 24, plot_height = 230;
 
-/// The i-th curve's dashes and mark.
+/// The dashes of the i-th curve.
 constexpr std::array<const char*, 5> dashes = {"", "7 3", "2 3", "9 3 2 3", "1 5"};
 constexpr std::array<const char*, 6> marks = {"\u25CF", "\u25A0", "\u25B2", "\u25C6", "\u25CB", "\u25A1"};
 constexpr std::array<const char*, 6> inks = {"#1b3a5c", "#a5620a", "#2f5d1e", "#7a1f2b", "#3f7fb5", "#444444"};

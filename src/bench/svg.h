@@ -8,10 +8,10 @@
 
 namespace crsh::bench {
 
-/// How many patterns there are; others begin again.
+/// How many patterns there are; the next one is the first again.
 inline constexpr size_t pattern_count = 10;
 
-/// The patterns, to be on the page once, before all charts.
+/// The patterns' definitions, which the page needs once, before all charts.
 [[nodiscard]] std::string pattern_definitions();
 
 /// A small square of a pattern, for legends.
@@ -27,7 +27,7 @@ struct BarGroup {
   std::string name;
   std::vector<Bar> bars;
 };
-/// Horizontal bars below the name of each group, on one logarithmic scale. Bars of nothing are left out.
+/// Horizontal bars below the name of each group, on one logarithmic scale. Bars of value 0 are left out.
 [[nodiscard]] std::string bars_svg(const std::vector<BarGroup>& groups, const std::string& title);
 
 /// A bar made of parts, as long as their sum, with `label` for the sum; on one linear scale.
@@ -46,7 +46,7 @@ struct Curve {
 [[nodiscard]] std::string curves_svg(const std::vector<Curve>& curves, const std::string& x_name,
                                      const std::string& y_name, const std::string& title);
 
-/// Text as HTML and SVG take it.
+/// Text with the characters escaped that mean something in HTML and SVG.
 [[nodiscard]] std::string escaped(const std::string& text);
 
 }  // namespace crsh::bench

@@ -8,7 +8,7 @@
 namespace crsh::bench {
 namespace {
 
-/// Characters, not bytes: labels may hold file names.
+/// Characters, not bytes, of UTF-8: labels may hold file names.
 size_t length(std::string_view text) {
   return static_cast<size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
@@ -29,7 +29,7 @@ std::vector<size_t> widths_of(const Table& table) {
   widen(table.columns);
   for (const auto& row : table.rows)
     if (row.size() > 1) widen(row);
-  // A heading over several columns has room in its last one.
+  // Where a heading over several columns needs more room than these, the last of them becomes wider.
   size_t first = 1;
   for (const Span& span : table.spans) {
     size_t room = 2 * (span.columns - 1);
@@ -61,7 +61,7 @@ std::string spans_line(const Table& table, const std::vector<size_t>& widths) {
   return line + "\n";
 }
 
-/// Three significant digits at least, and two decimals.
+/// A number with at least three significant digits and at least two decimals.
 std::string figure(double value) {
   if (value >= 1000) return fmt::format("{:.0f}", value);
   if (value >= 1 || value == 0) return fmt::format("{:.2f}", value);

@@ -23,10 +23,10 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// For a terminal, figures flush right.
+/// The table as text for a terminal, with figures flush right.
 [[nodiscard]] std::string text_of(const Table& table);
 
-/// As the paper has numbers: "9133.13 M", "251.55 K", "790".
+/// A count as the paper prints it: "9133.13 M", "251.55 K", "790".
 [[nodiscard]] std::string count_text(uint64_t count);
 /// "100%", "5.14%", "0.0375%"; "-" of nothing.
 [[nodiscard]] std::string percent_text(uint64_t part, uint64_t whole);
@@ -35,7 +35,7 @@ struct Table {
 /// Milliseconds with two decimals; "-" where there are none.
 [[nodiscard]] std::string ms_text(double milliseconds);
 
-/// The middle one, or the mean of the two; 0 of none.
+/// The middle value, or the mean of the two in the middle; 0 where there are none.
 [[nodiscard]] double median(std::vector<double> values);
 
 [[nodiscard]] std::string upper(std::string_view text);
