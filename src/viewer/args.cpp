@@ -14,10 +14,10 @@ namespace {
 
 using cli::Option;
 
-/// Less at once than `crsh render`: the window wants the device, too.
+/// Tests a submit, fewer than `crsh render` has, so that the window gets the device often enough.
 constexpr uint64_t submit_work = uint64_t(1) << 22;
 
-/// What makes no sense for one picture in a window.
+/// Options of `crsh render` that make no sense for one picture in a window.
 constexpr std::array left_out = {"output", "stats", "dump-rays", "replay-rays", "progress", "verbose", "frames", "fps"};
 
 const std::string epilogue =

@@ -9,11 +9,11 @@ namespace {
 
 constexpr float pi = float(std::numbers::pi), right_angle = pi / 2;
 constexpr float turn_a_height = pi;            // radians that a drag over the image's height turns
-constexpr float steep = right_angle * 0.995f;  // beyond, what is upright no longer says how the image lies
-constexpr float least_roll = 1e-4f;            // below, it is rounding
+constexpr float steep = right_angle * 0.995f;  // beyond this pitch "up" no longer tells how the image is turned
+constexpr float least_roll = 1e-4f;            // below this a roll is a rounding error
 constexpr float least_distance = 1e-4f, most_distance = 1e7f;
 
-/// Any two axes to go with `up`; those of glTF where it is theirs.
+/// Axes with `up` as the second: glTF's own where `up` is glTF's, else any two that fit.
 glm::mat3 basis_of(glm::vec3 up) {
   up = glm::length(up) > 0 ? glm::normalize(up) : glm::vec3(0, 1, 0);
   const glm::vec3 near_back = std::abs(up.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, -1, 0);

@@ -14,16 +14,16 @@ struct Sight {
   glm::vec3 origin, direction;
 };
 
-/// Looks at `pivot` from `distance` metres. Angles in radians; at 0 and 0 it stands at the front (+Z in glTF).
-/// Orthographic, it shows of the pivot's plane what it would in perspective, and stands apart.
+/// Looks at `pivot` from `distance` metres. Angles in radians; with both 0 it stands at the front (+Z in glTF). An
+/// orthographic camera shows as much of the plane through the pivot as in perspective, and stands at `stand_off`.
 struct OrbitCamera {
   glm::vec3 pivot{0};
   float distance = 1, yaw = 0, pitch = 0;
   float roll = 0;                   ///< about the line of sight
   float half_height = 0.41421356f;  ///< of the image at distance 1
   bool orthographic = false;
-  float stand_off = 1;  ///< orthographic: metres from the pivot to the eye, where the picture begins
-  glm::mat3 basis{1};   ///< right, up and back at no turn
+  float stand_off = 1;  ///< orthographic: metres from the pivot to the eye; nothing nearer is seen
+  glm::mat3 basis{1};   ///< right, up and back where all angles are 0
 
   [[nodiscard]] glm::vec3 back() const;
   [[nodiscard]] glm::vec3 right() const;
@@ -31,28 +31,30 @@ struct OrbitCamera {
   [[nodiscard]] glm::vec3 eye() const { return pivot + back() * (orthographic ? stand_off : distance); }
   /// The options that render this view.
   [[nodiscard]] ViewOption view() const;
-  /// Through a point of the image, -1..1 an axis, y up; a unit direction.
+  /// The line of sight through a point of the image, -1..1 an axis, y up. Its direction is a unit vector.
   [[nodiscard]] Sight sight(glm::vec2 place, float aspect) const;
 
-  /// Shares of the image's height.
+  /// Turns around the pivot; `by` in shares of the image's height.
   void orbit(glm::vec2 by);
-  /// The pivot's plane moves with the cursor: shares of the image's height.
+  /// Moves the plane through the pivot with the cursor; `by` in shares of the image's height.
   void pan(glm::vec2 by);
-  /// Distance times `factor`; what lies at `place` (-1..1, y up) in the pivot's plane stays there.
+  /// Multiplies the distance by `factor`; what is seen at `place` (-1..1, y up) in the pivot's plane stays there.
   void zoom(float factor, glm::vec2 place, float aspect);
-  /// Metres to the right, up and forward; orthographic, forward is nearer.
+  /// Moves by metres to the right, up and forward; orthographic, forward enlarges the picture.
   void fly(glm::vec3 by);
-  /// Turns towards a new pivot in place, and the eye stays; orthographic, the eye moves there and the direction stays.
+  /// Makes `point` the pivot. In perspective the eye stays and turns there; orthographic, it moves there and does not
+  /// turn.
   void look_at(glm::vec3 point);
-  /// Upright.
+  /// Looks from these angles, upright.
   void turn_to(float new_yaw, float new_pitch);
-  /// The whole of `bounds` comes into view, seen from the same side.
+  /// Brings the whole of `bounds` into view, seen from the same side.
   void frame(const scene::Bounds& bounds, float aspect);
-  /// Perspective becomes orthographic, from before all of `bounds`, and back. The pivot's plane looks the same.
+  /// Changes from perspective to orthographic, where the eye stands in front of all of `bounds`, or back. What lies in
+  /// the pivot's plane looks the same.
   void change_projection(const scene::Bounds& bounds);
 };
 
-/// From where `view` stands, as it looks; the pivot at `distance` before it. `up` is what stays upright.
+/// The camera that sees what `view` sees, with its pivot `distance` metres in front. `up` stays upright.
 [[nodiscard]] OrbitCamera orbit_of(const raster::CameraView& view, float distance, glm::vec3 up);
 
 }  // namespace crsh::viewer

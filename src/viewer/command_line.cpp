@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What another machine, or a file, settles.
+/// Options left out of the command: they depend on the machine, or the name of the output file decides them.
 constexpr std::array left_out = {"layers",     "frames",      "fps",        "device",
                                  "max-memory", "submit-work", "validation", "mutation"};
 
@@ -25,7 +25,7 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
-/// A value's words: several of a list or of an object by kinds.
+/// The words of an option's value: one, or several where it is a list or has a value a kind of rays.
 std::vector<std::string> words_of(const Json& value) {
   std::vector<std::string> words;
   if (value.is_object())
@@ -39,7 +39,7 @@ std::vector<std::string> words_of(const Json& value) {
 void append(std::string& line, const std::string& key, const Json& value) {
   if (value.is_boolean()) return void(line += value.get<bool>() ? " --" + key : "");
   for (const std::string& word : words_of(value)) {
-    // A negative number after a space would be an option.
+    // After a space a negative number would be read as an option.
     line += " --" + key + (word.starts_with('-') ? "=" : " ") + shell_word(word);
   }
 }

@@ -13,10 +13,10 @@ namespace crsh::viewer {
 namespace {
 
 constexpr float wheel_step = 0.88f;
-constexpr float near_split = 6;  // from the line, where it is grasped
+constexpr float near_split = 6;  // as near to the line between two pictures it can be dragged
 constexpr float right_angle = float(std::numbers::pi) / 2;
 
-/// -1..1 an axis, y up.
+/// A point of the window as a place in the picture, -1..1 an axis, y up.
 glm::vec2 place_in(const Layout& layout, glm::vec2 at) {
   const glm::vec2 share = (at - layout.low()) / (layout.high() - layout.low());
   return {2 * share.x - 1, 1 - 2 * share.y};

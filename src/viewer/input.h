@@ -10,12 +10,12 @@
 
 namespace crsh::viewer {
 
-/// What a key asks for that is not the view's.
+/// What a key asks for besides changes of the view.
 enum class Action { save_png, save_exr, copy_command };
 
 class Input {
  public:
-  /// Within a frame of ImGui's. Returns what is to be done besides.
+  /// Handles the input of ImGui's current frame. Returns what keys asked for besides changes of the view.
   std::vector<Action> handle(Model& model, Window& window, const Layout& layout);
 
  private:

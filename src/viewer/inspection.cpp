@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t box_depth = 8;
 constexpr double most_rays = 250'000, most_moving = 20'000;
 
-/// Every row of the picture's, and no more rays than a table can hold at ease.
+/// The options for one kind of rays, and for a picture so small that a table holds its rays with ease.
 RenderOptions reduced(const InspectIn& in) {
   const RayKind& kind = ray_kinds[in.kind];
   RenderOptions options = in.options;
@@ -25,7 +25,7 @@ RenderOptions reduced(const InspectIn& in) {
   return options;
 }
 
-/// Places of the first light's rays, from first to last.
+/// Fills the layer with each pixel's place among the sorted rays; of shadow rays, those of the first light.
 void fill_order(const RayTable& table, Inspection& made) {
   Layer layer{.name = order_layer, .channels = {"Y"}, .values = {}, .ids = {}};
   layer.values.assign(size_t(made.order.width) * made.order.height, std::numeric_limits<float>::quiet_NaN());
@@ -39,7 +39,7 @@ void fill_order(const RayTable& table, Inspection& made) {
   made.order.layers.push_back(std::move(layer));
 }
 
-/// How far the rays of each node go: to what they hit, or to where the light's ray ends.
+/// Fills in how far the rays of each node go: to what they hit; shadow rays, which start at the light, to their end.
 void fill_reaches(const RayTable& table, Inspection& made) {
   constexpr float far = 1e15f;
   std::vector<float> of_place(table.size());

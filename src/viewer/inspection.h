@@ -11,9 +11,9 @@
 namespace crsh::viewer {
 
 struct Inspection {
-  Picture order;  ///< layer `order_layer`: a pixel's ray's place among the first light's, 0 to 1; NaN: none
+  Picture order;  ///< layer `order_layer`: place of the pixel's ray in sorted order, 0 to 1; NaN: it has none
   std::vector<RayNode> nodes;                         ///< over the rays of the first bounce
-  std::vector<std::pair<uint32_t, uint32_t>> places;  ///< pixel and RayTable::sorted of each ray, rising
+  std::vector<std::pair<uint32_t, uint32_t>> places;  ///< pixel and RayTable::sorted of each ray, sorted by pixel
   std::vector<ObjectBox> boxes;
   std::vector<float> reaches;  ///< of each node, metres: how far its rays go
   uint64_t wish = 0, serial = 0;
@@ -25,11 +25,11 @@ struct InspectIn {
   RenderOptions options;  ///< of the fine picture
   double seconds = 0;
   uint32_t kind = 0;    ///< of the rays
-  uint32_t lights = 1;  ///< that there are
-  bool moving = false;  ///< coarser still
+  uint32_t lights = 1;  ///< of the scene
+  bool moving = false;  ///< the camera moves: the frame is coarser still
 };
 
-/// Renders it. The renderer's options are others afterwards.
+/// Renders such a frame. It changes the renderer's options, and does not change them back.
 [[nodiscard]] Inspection inspect(Renderer& renderer, const InspectIn& in);
 
 }  // namespace crsh::viewer

@@ -1,5 +1,5 @@
 #pragma once
-// What the window wants, and what it gets: all that the window's thread and the renderer's say to each other.
+// What the window's thread and the renderer's thread tell each other: a wish from the one, news from the other.
 
 #include <cstdint>
 #include <filesystem>
@@ -28,22 +28,22 @@ struct Wish {
   double seconds = 0;
   bool moving = false;                    ///< coarse and quick, else fine
   float budget_ms = 50;                   ///< of a coarse frame
-  uint32_t most_samples = 1;              ///< of a fine one
+  uint32_t most_samples = 1;              ///< of a fine picture
   std::optional<AlgorithmOptions> other;  ///< a second picture, by this algorithm
-  std::optional<uint32_t> inspect_kind;   ///< how the first bounce's rays of this kind are sorted and bundled
+  std::optional<uint32_t> inspect_kind;   ///< besides, how rays of this kind are sorted and bundled at bounce 0
 };
 
-/// A picture and how it came about.
+/// A picture, and what it was rendered with.
 struct Shown {
   Picture picture;
-  RenderOptions options;  ///< samples: those that it has
+  RenderOptions options;  ///< its `samples` are those that the picture has by now
   double seconds = 0;
-  bool fine = false;        ///< of the wanted size
+  bool fine = false;        ///< has the wanted size
   Statistics statistics;    ///< of its last sample
-  double milliseconds = 0;  ///< that this took, on the clock
+  double milliseconds = 0;  ///< of its last sample, by the clock
   uint64_t scene = 0;       ///< number of its load
   uint64_t wish = 0;        ///< number of the wish that it fulfils
-  uint64_t serial = 0;      ///< another one a picture
+  uint64_t serial = 0;      ///< no two pictures have the same
 };
 using ShownPtr = std::shared_ptr<const Shown>;
 using InsidePtr = std::shared_ptr<const Inspection>;
@@ -54,9 +54,9 @@ struct LoadedScene {
 };
 using LoadedPtr = std::shared_ptr<const LoadedScene>;
 
-/// What the renderer's thread has to say.
+/// What the renderer's thread tells.
 struct News {
-  LoadedPtr loaded;      ///< the scene that is there; null: none yet
+  LoadedPtr loaded;      ///< the scene; null: none is loaded yet
   ShownPtr left, right;  ///< of that scene; right: by the other algorithm
   InsidePtr left_inside, right_inside;
   std::string phase;          ///< "reading scene.glb"; empty: nothing that takes long

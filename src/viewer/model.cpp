@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 constexpr auto rests_after = 200ms;
 constexpr size_t history = 48;  // pictures
 
-/// The options that belong to one scene are the new one's defaults again.
+/// Puts the options that belong to a scene, as its camera and lights, back to their defaults, for a new scene.
 void forget_scene(RenderOptions& options) {
   const RenderOptions fresh;
   options.scene = fresh.scene, options.camera = fresh.camera, options.animation = fresh.animation;
@@ -35,7 +35,7 @@ raster::CameraView view_of(const Model& m) {
                              {options.width, options.height});
 }
 
-/// Every light with its intensity, so that what is chosen for this view stays when the view changes.
+/// Gives every light of the options its intensity, so that what was chosen for this view stays when the view changes.
 void settle_lights(Model& m) {
   std::vector<LightOption>& lights = m.command.options.lights;
   const raster::CameraView view = view_of(m);

@@ -25,23 +25,23 @@ struct Message {
 struct Side {
   Show show = Show::light;
   ShownPtr shown;
-  InsidePtr inside;  ///< where it is wished for
+  InsidePtr inside;  ///< its ray nodes and boxes, where they are shown
 };
 
 struct Model {
   explicit Model(const Arguments& given);
 
   Arguments arguments;
-  cli::RenderCommand command;  ///< effective options of what is shown; its view: only where `own_view` is false
-  std::string path;            ///< of the scene that is asked for
-  uint64_t load = 0;           ///< how often one was
+  cli::RenderCommand command;  ///< options of what is shown; the view only where `own_view` is false
+  std::string path;            ///< of the scene to be shown
+  uint64_t load = 0;           ///< counts how often a scene was asked for
   LoadedPtr loaded;
   scene::Bounds bounds;  ///< of the scene at time 0
   News news;
 
   OrbitCamera camera;
   bool own_view = false;      ///< `camera` places the eye, not the options
-  uint32_t camera_index = 0;  ///< that Tab went to last
+  uint32_t camera_index = 0;  ///< of the file's camera that Tab chose last
   double seconds = 0;
   bool playing = false;
   raster::ImageSize area;  ///< of the picture, pixels
@@ -54,8 +54,8 @@ struct Model {
   bool show_nodes = false, nodes_of_all = false, show_bounds = false;
   uint32_t nodes_level = 1, box_depth = 4;
 
-  bool exr_wanted = false;   ///< its layers are rendered, too
-  uint64_t wish_number = 0;  ///< of what the worker was asked for last
+  bool exr_wanted = false;   ///< an EXR is to be saved: its layers are rendered, too
+  uint64_t wish_number = 0;  ///< of the last wish that the worker got
   bool wish_moves = false;
 
   bool panels = true, keys_help = false;
@@ -74,20 +74,20 @@ struct Model {
 
   void say(const std::string& text, bool error = false);
   void open(const std::string& new_path);
-  /// A scene has come: its cameras, lights and bounds.
+  /// Takes a scene that was loaded, with its cameras, lights and bounds.
   void take(const LoadedPtr& scene);
-  /// New pictures and what they took.
+  /// Takes new pictures, and how long they took.
   void take_pictures(const News& latest);
-  /// The camera is the person's from here on.
+  /// From here on `camera` places the eye, no longer the options.
   void begin_own_view();
   void view_moved();
   void next_camera();
   void frame_all();
   void change_projection();
-  /// What is shown is what is asked for, in full resolution. `rests`: or nothing more will come.
+  /// Whether what is shown is what was asked for, in full resolution. rests(): whether nothing more will come, either.
   [[nodiscard]] bool fine() const;
   [[nodiscard]] bool rests() const;
-  /// Stops of the picture: as chosen, or that suit it.
+  /// The exposure in stops: the one chosen, or with "auto" the one that suits the picture.
   [[nodiscard]] double exposure() const;
   [[nodiscard]] bool moving() const;
   [[nodiscard]] Wish wish() const;

@@ -6,7 +6,7 @@
 namespace crsh::viewer {
 namespace {
 
-/// A finer picture has to fit with something to spare, or it would flicker between two.
+/// A finer picture must take no more than this share of the budget, or the size would change to and fro.
 constexpr double spare = 0.8;
 
 uint32_t divided(uint32_t side, double by) { return std::max(1u, static_cast<uint32_t>(std::lround(side / by))); }
@@ -26,7 +26,7 @@ raster::ImageSize Pace::size(raster::ImageSize full, double budget_ms) {
 
 void Pace::measured(raster::ImageSize size, raster::ImageSize full, double ms) {
   const double share = double(size.width) * size.height / (double(full.width) * full.height);
-  // What a whole picture took says roughly what this step's takes.
+  // From the time of a whole picture follows roughly that of one of this step's size.
   const double now = ms / share / (divisors[step_] * divisors[step_]);
   const bool own = size.width == divided(full.width, divisors[step_]);
   if (own) ms_ = ms;

@@ -8,19 +8,19 @@
 
 namespace crsh::viewer {
 
-/// Learns from the frames that it is told of.
+/// Chooses the size of pictures by the time that those before took.
 class Pace {
  public:
-  /// Of a frame that may take `budget_ms`; at least a pixel.
+  /// The size of a picture that may take `budget_ms`; at least one pixel.
   [[nodiscard]] raster::ImageSize size(raster::ImageSize full, double budget_ms);
-  /// A frame of this size took so long.
+  /// Tells that a frame of this size took so long.
   void measured(raster::ImageSize size, raster::ImageSize full, double ms);
 
  private:
-  /// By how much each side is divided.
+  /// By how much each side of the picture is divided, a step each.
   static constexpr std::array<double, 9> divisors = {1, 1.5, 2, 3, 4, 6, 8, 12, 16};
   size_t step_ = 2;
-  double ms_ = 0;  ///< of a frame of this step; 0: unknown
+  double ms_ = 0;  ///< that a frame of this step takes; 0: unknown
 };
 
 }  // namespace crsh::viewer

@@ -13,7 +13,7 @@ bool meets(const scene::Sphere& sphere, const Sight& ray) {
   return glm::dot(off, off) <= sphere.radius * sphere.radius * 1.01f;
 }
 
-/// Möller and Trumbore 1997; infinity for a miss.
+/// The distance along the ray to a triangle, infinite where it misses (Möller and Trumbore 1997).
 float distance_to(const Sight& ray, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   constexpr float nothing = std::numeric_limits<float>::infinity();
   const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
@@ -32,7 +32,8 @@ std::optional<glm::vec3> pick(const scene::Scene& scene, const scene::Pose& pose
   float nearest = std::numeric_limits<float>::infinity();
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];
-    const glm::mat4 inverse = glm::inverse(pose.instances[i]);  // not finite where it is flat: then nothing is met
+    const glm::mat4 inverse =
+        glm::inverse(pose.instances[i]);  // not finite for a flattened instance, which is then never hit
     const Sight ray{glm::vec3(inverse * glm::vec4(sight.origin, 1)),
                     glm::vec3(inverse * glm::vec4(sight.direction, 0))};
     if (hidden[i] || !meets(mesh.sphere, ray)) continue;

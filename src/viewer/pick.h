@@ -10,7 +10,7 @@
 
 namespace crsh::viewer {
 
-/// The point, in metres, of the first triangle in sight; instances with `hidden` are not there.
+/// The point, in metres, of the first triangle in sight, if any; instances whose `hidden` is set are left out.
 [[nodiscard]] std::optional<glm::vec3> pick(const scene::Scene& scene, const scene::Pose& pose,
                                             const std::vector<bool>& hidden, const Sight& sight);
 

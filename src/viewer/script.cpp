@@ -17,14 +17,14 @@
 namespace crsh::viewer {
 namespace {
 
-/// Words behind each command, at least.
+/// How many words each command needs at least.
 const std::map<std::string, size_t> commands = {
     {"drag", 5},   {"wheel", 3},         {"double", 2},       {"move", 2},    {"key", 1},        {"click", 1},
     {"choose", 1}, {"resize", 2},        {"minimise", 0},     {"restore", 0}, {"drop", 1},       {"wait", 0},
     {"rest", 0},   {"frames", 1},        {"orbit", 1},        {"save", 1},    {"screenshot", 1}, {"copy", 2},
     {"expect", 1}, {"print-command", 0}, {"print-memory", 0}, {"hold", 2}};
 
-constexpr int settling = 2;  // frames until what was done shows
+constexpr int settling = 2;  // frames until an input shows
 
 const std::map<std::string, int> keys = {{"Enter", GLFW_KEY_ENTER}, {"Tab", GLFW_KEY_TAB}, {"Space", GLFW_KEY_SPACE},
                                          {"F5", GLFW_KEY_F5},       {"F12", GLFW_KEY_F12}, {"Escape", GLFW_KEY_ESCAPE}};
@@ -40,7 +40,7 @@ std::optional<KeyPress> key_of(std::string name) {
 
 float number(const std::string& word) { return std::strtof(word.c_str(), nullptr); }
 
-/// Bytes of this process in memory.
+/// How much memory of this process is resident, bytes.
 uint64_t resident_bytes() {
   std::ifstream file("/proc/self/statm");
   uint64_t all = 0, resident = 0;
@@ -93,7 +93,7 @@ void Script::press(int button, bool down) {
   add([this, button, down](Stage&) { pointer_.down[button] = down; });
 }
 
-/// A widget that is not to be seen is scrolled to first.
+/// Adds a click on a widget, which is first scrolled to where it is not in view.
 void Script::add_click(const Line& line, const std::string& name) {
   auto tries = std::make_shared<int>(0);
   steps_.push_back([this, line, name, tries](Stage& stage) {
@@ -109,7 +109,7 @@ void Script::add_click(const Line& line, const std::string& name) {
   add_frames(settling);
 }
 
-/// Each frame turns the camera a little, and waits for the picture.
+/// Adds so many small turns of the camera, with a wait for the picture after each.
 void Script::add_orbit(size_t count) {
   for (size_t i = 0; i < count; ++i) {
     auto last = std::make_shared<uint64_t>(0);
@@ -181,7 +181,7 @@ void Script::begin_output(const Line& line) {
   steps_.push_back([](Stage& stage) { return stage.idle(); });
 }
 
-/// Waits for the next picture or error line.
+/// Adds a wait for the next picture or line of error.
 void Script::add_expect(const Line& line) {
   const bool error = line.words[1] == "error";
   const auto count = [error](const Stage& stage) {

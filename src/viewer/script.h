@@ -15,7 +15,7 @@ namespace crsh::viewer {
 
 class Script {
  public:
-  /// What a step may use.
+  /// What a step may look at and change.
   struct Stage {
     Model& model;
     Window& window;
@@ -27,18 +27,18 @@ class Script {
   /// Throws UserError: the file, the line, and what is wrong.
   explicit Script(const std::string& path);
 
-  /// Before each frame: does the next thing, or waits. Throws UserError where a widget is not to be found.
+  /// To be called before each frame: does what comes next, or waits. Throws UserError where a widget is not found.
   void step(Stage& stage);
   [[nodiscard]] bool done() const { return next_ == lines_.size() && steps_.empty(); }
   [[nodiscard]] const ScriptedPointer& pointer() const { return pointer_; }
 
  private:
-  /// Returns whether it is done; else it is called again in the next frame.
+  /// Returns whether it is done; if not, it is called again in the next frame.
   using Step = std::function<bool(Stage&)>;
   struct Line {
     size_t number = 0;
     std::vector<std::string> words;
-    std::string rest;  ///< all behind the first word
+    std::string rest;  ///< all after the first word
   };
 
   [[noreturn]] void refuse(const Line& line, const std::string& what) const;
@@ -59,7 +59,7 @@ class Script {
   std::vector<Line> lines_;
   size_t next_ = 0;
   std::deque<Step> steps_;
-  std::map<std::string, uint64_t> count_;  ///< of errors and pictures, when a file was copied
+  std::map<std::string, uint64_t> count_;  ///< how many errors and pictures there were when a file was copied
   ScriptedPointer pointer_{.place = {-1000, -1000}};
 };
 

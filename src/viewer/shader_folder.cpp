@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removed with all that is in it.
+/// A temporary folder, which is removed with all that is in it.
 class Folder {
  public:
   Folder() {
@@ -57,7 +57,7 @@ Name parsed(std::string name) {
 
 std::string in_quotes(const fs::path& path) { return "'" + path.string() + "'"; }
 
-/// What the command prints; `status` becomes its exit status.
+/// Runs a command and returns what it prints; `status` becomes its exit status.
 std::string output_of(const std::string& command, int& status) {
   FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
   if (!pipe) throw UserError("glslangValidator cannot be started: install the Debian package glslang-tools");
@@ -98,7 +98,7 @@ ShaderFolder::ShaderFolder(fs::path root) : root_(std::move(root)), built_(fs::l
     throw UserError("CRSH_SHADER_DIR: " + root_.string() + " is not the folder shaders/ of a checkout");
 }
 
-/// Of a file and all that it includes.
+/// When a file or one that it includes was changed last.
 ShaderFolder::Time ShaderFolder::newest(const fs::path& file, int depth) {
   std::error_code missing;
   Time time = fs::last_write_time(file, missing);
@@ -142,7 +142,7 @@ bool ShaderFolder::look(const std::vector<std::string>& in_use) {
           std::max(time, newest(root_ / line_after(root_ / parts.source, "// variants: ") / (parts.variant + ".glsl")));
     if (time > built_ && done_[name] != time) times[name] = time, latest = std::max(latest, time);
   }
-  if (times.empty() || latest == failed_) return false;  // an error is said once
+  if (times.empty() || latest == failed_) return false;  // each error is told once
   failed_ = latest;
   std::map<std::string, std::vector<uint32_t>> made;
   for (const auto& [name, time] : times) {

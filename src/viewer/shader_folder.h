@@ -9,15 +9,16 @@
 
 namespace crsh::viewer {
 
-/// The folder shaders/ of a checkout. Compiles with glslangValidator what is newer than this program.
+/// The folder shaders/ of a checkout. What is newer there than this program is compiled with glslangValidator.
 class ShaderFolder {
  public:
   /// Throws UserError where there is no such folder.
   explicit ShaderFolder(std::filesystem::path root);
 
-  /// Of the shaders in use ("coherence/trim.comp", "rays/hash@hilbert.comp") compiles those of which a file has
-  /// changed, and puts them in the place of the built-in ones: all or, where one is wrong, none. Returns whether any
-  /// was; the caller makes pipelines anew. Throws UserError: the compiler's line, or what no longer fits.
+  /// Compiles those of the shaders in use ("coherence/trim.comp", "rays/hash@hilbert.comp") whose files have changed,
+  /// and puts them in the place of the built-in ones: all of them, or none where one is wrong. Returns whether it did;
+  /// the caller then makes pipelines anew. Throws UserError with the compiler's line, or with what no longer fits the
+  /// program.
   bool look(const std::vector<std::string>& in_use);
 
  private:
@@ -31,10 +32,10 @@ class ShaderFolder {
     std::vector<std::string> includes;
   };
   std::filesystem::path root_;
-  Time built_;  ///< when this program was
+  Time built_;  ///< when this program was built
   std::map<std::string, Known> files_;
-  Time failed_ = Time::min();         ///< the newest file of what was wrong
-  std::map<std::string, Time> done_;  ///< by shader: the newest file of what was compiled
+  Time failed_ = Time::min();         ///< time of the newest file when compiling failed last
+  std::map<std::string, Time> done_;  ///< by shader: time of its newest file when it was compiled last
 };
 
 }  // namespace crsh::viewer

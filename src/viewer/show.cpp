@@ -10,7 +10,7 @@
 namespace crsh::viewer {
 namespace {
 
-/// srgb_byte of 0..1 in 65536 steps: much finer than a byte also where the curve is steepest.
+/// srgb_byte by a table of 65,536 values, which is much finer than a byte even where the curve is steepest.
 uint8_t quick_srgb(float linear) {
   static const std::vector<uint8_t> bytes = [] {
     std::vector<uint8_t> made(65536);
@@ -24,7 +24,7 @@ struct Colour {
   uint8_t r = 0, g = 0, b = 0;
 };
 
-/// A colour a pixel by `colour(pixel)`.
+/// A picture of the colours colour(pixel).
 template <class Of>
 Pixels paint(const Picture& picture, Of colour) {
   Pixels pixels{picture.width, picture.height, {}};
@@ -72,7 +72,7 @@ Pixels heat(const Picture& picture, Show show, double end) {
   });
 }
 
-/// From first to last on the heat scale; grey where there is no ray.
+/// The order of rays on the heat scale, from the first to the last; grey where there is no ray.
 Pixels order(const Picture& picture, const Layer& layer) {
   return paint(picture, [&](size_t p) {
     if (std::isnan(layer.values[p])) return Colour{24, 24, 26};
@@ -140,7 +140,7 @@ Pixels distance(const Picture& picture, const Layer& layer) {
   });
 }
 
-/// Colours that neighbours in number do not share: the hue turns by the golden ratio.
+/// Ids as colours. From one number to the next the hue turns by the golden ratio, so that neighbours look different.
 Pixels numbers(const Picture& picture, const Layer& layer) {
   return paint(picture, [&](size_t p) {
     const uint32_t id = layer.ids[p];

@@ -22,7 +22,7 @@ struct ShowRow {
 /// By Show.
 [[nodiscard]] const std::vector<ShowRow>& show_table();
 [[nodiscard]] inline const ShowRow& row_of(Show show) { return show_table()[static_cast<size_t>(show)]; }
-/// Shown on the heat scale.
+/// Whether it is shown on the heat scale.
 [[nodiscard]] bool is_heat(Show show);
 
 /// RGBA bytes, rows from the top.
@@ -31,10 +31,10 @@ struct Pixels {
   std::vector<uint8_t> rgba;
 };
 
-/// What the heat scale of this picture would end at; 0 where it has no such layers.
+/// The greatest value of a heat scale that suits this picture; 0 where it has no such layers.
 [[nodiscard]] double heat_end(const Picture& picture, Show show);
-/// The picture in colours; black where it lacks the layer. `exposure` in stops, of the light; `heat` ends the heat
-/// scale.
+/// The picture in colours; black where it lacks the layer. `exposure`, in stops, is for light; `heat` is the greatest
+/// value of the heat scale.
 [[nodiscard]] Pixels in_colours(const Picture& picture, Show show, double exposure, double heat);
 
 }  // namespace crsh::viewer

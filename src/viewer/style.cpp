@@ -8,7 +8,7 @@
 namespace crsh::viewer {
 namespace {
 
-/// Debian's usual sans serif; ImGui's own font stands in where it is not installed.
+/// Debian's usual sans serif. Where it is not installed, ImGui's own font is used.
 constexpr const char* font_path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 void add_font(float scale) {

@@ -3,7 +3,7 @@
 
 namespace crsh::viewer {
 
-/// Colours, spacing and the font of ImGui's current context; everything `scale` times as large as usual.
+/// Sets colours, spacing and font of ImGui's current context, all `scale` times as large as usual.
 void set_style(float scale);
 
 }  // namespace crsh::viewer

@@ -53,7 +53,7 @@ void Viewer::run() {
   }
 }
 
-/// Seconds to wait for something to happen.
+/// For how many seconds to wait for an event.
 double Viewer::patience() const {
   if (script_ && !script_->done()) return 0.002;
   if (model_.moving() || !model_.messages.empty()) return 0.02;
@@ -82,7 +82,7 @@ void Viewer::play() {
   model_.seconds = double(float(std::fmod(model_.seconds + std::min(passed, 0.5), duration)));
 }
 
-/// --watch: the file's time, twice a second.
+/// --watch: looks at the file's time twice a second, and loads it anew where it has changed.
 void Viewer::watch() {
   if (!model_.arguments.watch || model_.path.empty() || Clock::now() - last_look_ < std::chrono::milliseconds(500))
     return;
@@ -115,7 +115,8 @@ void Viewer::frame() {
   count_frame();
 }
 
-/// --size: once the scene says which panels there are, the window leaves so much to the picture.
+/// --size: makes the window so large that the picture gets that size. It waits for the scene, which decides on the
+/// panels.
 void Viewer::fit_window() {
   const RenderOptions& asked = model_.arguments.render.options;
   if (fitted_ || !model_.loaded) return;
@@ -151,7 +152,7 @@ void Viewer::draw() {
   screenshots_.pop_front();
 }
 
-/// The hash order is a picture of its own, and coarser.
+/// Puts a side's picture into its texture. The order of rays is a coarser picture of its own.
 void Viewer::paint(std::unique_ptr<gpu::Texture>& texture, const Side& side) {
   if (side.show == Show::order && !side.inside) return;
   const Picture& picture = side.show == Show::order ? side.inside->order : side.shown->picture;
@@ -179,7 +180,7 @@ void Viewer::update_textures() {
   if (right) paint(right_, model_.right);
 }
 
-/// The picture fills its place; the right one what is right of the line.
+/// What is shown where: the picture fills its place, and a second one the part to the right of the line.
 std::vector<gpu::ShownTexture> Viewer::textures(const Layout& layout) const {
   if (!left_) return {};
   const glm::vec2 scale = window_.pixel_scale();
@@ -223,7 +224,7 @@ void Viewer::save_what_is_ready() {
   }
 }
 
-/// The script has ended, and frames count.
+/// Whether frames count for --after: only when the script has ended.
 bool Viewer::finishing() const { return model_.arguments.after && (!script_ || script_->done()); }
 
 void Viewer::count_frame() {
@@ -240,7 +241,7 @@ void Viewer::count_frame() {
   finish();
 }
 
-/// What the command line wants at the end, all of it of one picture.
+/// Saves and prints what the command line asks for at the end, all of the same picture.
 void Viewer::finish() {
   const Arguments& a = model_.arguments;
   if (!a.save.empty()) {

@@ -19,7 +19,7 @@ class Viewer {
   Viewer(gpu::Device& device, const Arguments& arguments);
   ~Viewer();
 
-  /// Until the window is closed, or --after. Throws UserError.
+  /// Runs until the window is closed, or as long as --after and --script say. Throws UserError.
   void run();
 
  private:
@@ -45,7 +45,7 @@ class Viewer {
   Widgets widgets_;
   Input input_;
   std::optional<Script> script_;
-  std::deque<std::string> saves_, screenshots_;  ///< paths of files to come
+  std::deque<std::string> saves_, screenshots_;  ///< paths of files that are still to be written
   std::unique_ptr<gpu::Texture> left_, right_;
   struct Painted {
     bool operator==(const Painted&) const = default;
@@ -60,7 +60,7 @@ class Viewer {
   bool finished_ = false, fitted_ = false;
   std::filesystem::file_time_type file_time_{};
   std::chrono::steady_clock::time_point last_frame_, last_look_;
-  Worker worker_;  ///< ends before all else
+  Worker worker_;  ///< the last member: its thread ends before the others go
 };
 
 }  // namespace crsh::viewer

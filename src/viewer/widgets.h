@@ -9,16 +9,16 @@
 
 namespace crsh::viewer {
 
-/// Each has its label to the left, in a column. They return whether the value has changed.
+/// Widgets with their labels to the left, in a column. Each returns whether its value has changed.
 class Widgets {
  public:
-  /// Forgets the last frame's.
+  /// Forgets the widgets of the frame before.
   void begin_frame();
-  /// Remembers where the widget that was made last is. Names are unique.
+  /// Remembers under this name, which must be unique, where the widget made last is.
   void note(const std::string& name);
-  /// Its middle, where it was to be seen in the frame that was drawn last.
+  /// The middle of a widget, if it was in view in the frame drawn last.
   [[nodiscard]] std::optional<glm::vec2> find(const std::string& name) const;
-  /// The next frame scrolls to it.
+  /// Makes the next frame scroll to a widget.
   void scroll_to(const std::string& name) { wanted_ = name; }
 
   bool header(const std::string& name, const char* label, bool open);

@@ -19,7 +19,7 @@ std::string glfw_error() {
   return text ? text : "no reason is given";
 }
 
-/// The key that bears this character in the person's layout: WASD are letters, not places.
+/// The character that a key has in the person's layout: W, A, S and D are letters, not places on the keyboard.
 int key_of(int key, int scancode) {
   const char* name = glfwGetKeyName(key, scancode);
   if (!name || name[0] == 0 || name[1] != 0 || (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL)) return key;
@@ -73,7 +73,7 @@ void Window::CloseWindow::operator()(GLFWwindow* window) const { glfwDestroyWind
 Window::ImguiContext::ImguiContext(GLFWwindow* window, float scale) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // nothing is left behind
+  io.IniFilename = nullptr;  // writes no file of settings
 #if IMGUI_VERSION_NUM >= 18700
   io.ConfigInputTrickleEventQueue = false;
 #endif

@@ -17,7 +17,7 @@ struct GLFWwindow;
 
 namespace crsh::viewer {
 
-/// A key that went down, by GLFW's number (of the layout's character for letters and digits: 'A', '1').
+/// A key that was pressed, by GLFW's number; letters and digits by their character in the person's layout ('A', '1').
 struct KeyPress {
   int key = 0;
   bool shift = false, control = false;
@@ -31,7 +31,7 @@ struct ScriptedPointer {
   bool shift = false;
 };
 
-/// GLFW's library, from the first to the last window.
+/// Keeps the GLFW library in use; it must outlive all windows.
 class WindowSystem {
  public:
   /// Throws UserError where there is no display.
@@ -40,42 +40,42 @@ class WindowSystem {
   WindowSystem(const WindowSystem&) = delete;
   WindowSystem& operator=(const WindowSystem&) = delete;
 
-  /// What its windows ask of a Vulkan instance.
+  /// The Vulkan extensions that an instance needs for its windows.
   [[nodiscard]] std::vector<std::string> extensions() const;
-  /// From any thread: ends a wait for events.
+  /// Ends a wait for events; may be called from any thread.
   static void wake();
 };
 
 /// One window with Dear ImGui's context.
 class Window {
  public:
-  /// Sizes in screen coordinates.
+  /// Opens a window; sizes are in screen coordinates.
   Window(gpu::Device& device, const std::string& title, int width, int height);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Waits for events, so many seconds at most, and takes what happened.
+  /// Waits for events, so many seconds at most, and handles them.
   void wait(double seconds);
   [[nodiscard]] bool closing() const;
-  /// Keys and files since the last call.
+  /// The keys pressed, and the files dropped, since the last call.
   [[nodiscard]] std::vector<KeyPress> take_keys();
   [[nodiscard]] std::vector<std::string> take_drops();
   /// Whether a key is held down.
   [[nodiscard]] bool is_down(int key) const;
   [[nodiscard]] bool shift() const;
 
-  /// Begins a frame of ImGui's; `pointer`, if any, stands for the real one.
+  /// Begins a frame of ImGui's; `pointer`, if any, is used in place of the real one.
   void begin_frame(const ScriptedPointer* pointer);
-  /// Shows textures, and above them what ImGui::Render() left. False: nothing is to be seen (minimised).
+  /// Shows the textures, and above them what ImGui has drawn. Returns false where the window shows nothing (minimised).
   bool end_frame(std::vector<gpu::ShownTexture> textures, gpu::Screenshot* screenshot);
-  /// The last frame is drawn: textures may change.
+  /// Waits until the last frame is drawn, after which textures may change.
   void settle() { swapchain_->wait(); }
 
-  /// Pixels a unit of screen coordinates; and of the window.
+  /// Pixels for a unit of screen coordinates, and the window's size in pixels.
   [[nodiscard]] glm::vec2 pixel_scale() const;
   [[nodiscard]] glm::ivec2 pixels() const;
-  /// How much larger than usual text is.
+  /// How much larger than usual text is to be.
   [[nodiscard]] float text_scale() const { return text_scale_; }
 
   void set_title(const std::string& title);
@@ -84,7 +84,7 @@ class Window {
   void restore();
   [[nodiscard]] bool minimised() const;
   void copy(const std::string& text);
-  // As if it had happened.
+  // For scripts: as if a person had done it.
   void press(const KeyPress& key) { keys_.push_back(key); }
   void hold(int key) { held_ = key; }
   void drop(const std::string& path) { drops_.push_back(path); }

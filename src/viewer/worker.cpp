@@ -143,7 +143,8 @@ void Worker::fulfil() {
   if (wish_.inspect_kind) inspect_sides();
 }
 
-/// Before the fine picture, whose samples could not go on after it.
+/// Renders the frames that show how rays are sorted and bundled. It does so before the fine picture, because samples
+/// cannot be added to that after another frame.
 void Worker::inspect_sides() {
   const size_t lights = std::max({wish_.options.lights.size(), loaded_->scene.lights.size(), size_t(1)});
   InspectIn in{.options = wish_.options,
@@ -168,7 +169,7 @@ void Worker::inspect_sides() {
   wake_();
 }
 
-/// CRSH_SHADER_DIR: what a developer has edited takes the place of what is built in.
+/// CRSH_SHADER_DIR: puts shaders that a developer has edited in the place of the built-in ones.
 void Worker::look_at_shaders() {
   if (!shaders_ || Clock::now() - shaders_seen_ < shader_looks) return;
   shaders_seen_ = Clock::now();

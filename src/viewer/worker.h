@@ -1,5 +1,6 @@
 #pragma once
-// The renderer's thread: fulfils the last wish, coarsely while the camera moves, then finely, then sample by sample.
+// The renderer's thread. It fulfils the last wish: coarsely while the camera moves, then in full size, sample by
+// sample.
 
 #include <atomic>
 #include <condition_variable>
@@ -24,7 +25,8 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Returns the wish's number at once. What is under way for another wish is left, unless that one's camera moves.
+  /// Returns the wish's number at once. What is being rendered for the wish before is given up, unless that was for a
+  /// moving camera.
   uint64_t want(const Wish& wish);
   [[nodiscard]] News news() const;
 
@@ -61,7 +63,7 @@ class Worker {
   std::atomic<uint64_t> version_ = 0;  ///< of wanted_
   std::atomic<bool> quit_ = false;
 
-  // The worker's own.
+  // Used by the worker's thread only.
   Wish wish_;
   uint64_t taken_ = 0;  ///< version of wish_
   uint64_t loaded_number_ = 0, serial_ = 0;
@@ -69,7 +71,7 @@ class Worker {
   std::vector<std::string> hidden_;
   std::unique_ptr<Renderer> renderer_;
   Pace pace_;
-  uint32_t samples_ = 0;  ///< of the fine picture; 0: none yet
+  uint32_t samples_ = 0;  ///< that the fine picture has; 0: it is not begun
   bool right_done_ = false, inspected_ = false, given_up_ = false;
 
   std::optional<ShaderFolder> shaders_;  ///< CRSH_SHADER_DIR

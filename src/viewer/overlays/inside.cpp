@@ -13,8 +13,8 @@
 namespace crsh::viewer {
 namespace {
 
-constexpr size_t most_nodes = 300;  // that are drawn of a level
-constexpr float widest = 1.2f;      // radians: no cone that is wider is drawn
+constexpr size_t most_nodes = 300;  // drawn of a level
+constexpr float widest = 1.2f;      // radians: wider cones are not drawn
 constexpr int circle_steps = 32, cone_lines = 8;
 
 /// Draws lines of the world where the picture shows them.
@@ -43,7 +43,7 @@ class Pen {
     }
   }
 
-  /// Its outline, and a circle within.
+  /// Draws a ball: its outline, and a circle within.
   void ball(glm::vec3 centre, float radius, ImU32 colour) const {
     const glm::vec3 right(to_camera_[0][0], to_camera_[1][0], to_camera_[2][0]),
         up(to_camera_[0][1], to_camera_[1][1], to_camera_[2][1]);
@@ -91,7 +91,7 @@ void draw_node(const Pen& pen, const RayNode& node, float reach, ImU32 colour) {
   }
 }
 
-/// Sorted places of the rays of the pixel under the cursor.
+/// The places in sorted order of the rays of the pixel under the cursor.
 std::vector<uint32_t> places_under_cursor(const Inspection& inside, const Layout& layout) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const glm::vec2 share = (glm::vec2(mouse.x, mouse.y) - layout.low()) / (layout.high() - layout.low());
@@ -123,7 +123,7 @@ void draw_nodes(const Pen& pen, const Model& model, const Layout& layout) {
   }
 }
 
-/// Spheres of meshes (section 3.2.1), and the boxes of the object hierarchy where the algorithm has one.
+/// Draws the spheres of meshes (section 3.2.1), or the boxes of the object hierarchy where the algorithm has one.
 void draw_bounds(const Pen& pen, const Model& model) {
   const scene::Scene& scene = *model.scene();
   const scene::Pose pose = scene.pose(model.left.shown->seconds, model.animation());

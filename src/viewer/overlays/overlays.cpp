@@ -16,7 +16,7 @@ void draw_text(ImDrawList& list, glm::vec2 at, const std::string& text) {
   list.AddText({at.x, at.y}, white, text.c_str());
 }
 
-/// The scale with its ticks, at the picture's upper right.
+/// Draws the heat scale with its ticks, at the picture's upper right.
 void draw_heat_scale(ImDrawList& list, const Layout& layout, double end) {
   const float text = ImGui::GetFontSize(), width = std::min(16 * text, layout.high().x - layout.low().x - 5 * text);
   if (width < 6 * text) return;

@@ -1,15 +1,15 @@
 #pragma once
-// What is drawn above the picture: the line between two, the heat scale, and later bounds and nodes.
+// What is drawn above the picture: the line between two pictures, the heat scale, ray nodes and bounds of objects.
 
 #include "viewer/model.h"
 #include "viewer/panels/panels.h"
 
 namespace crsh::viewer {
 
-/// `heat`: what the heat scale ends at.
+/// Draws all of it; `heat`: the greatest value of the heat scale.
 void draw_overlays(const Model& model, const Layout& layout, double heat);
 
-/// Ray nodes and bounds of objects, where they are wished for.
+/// Draws ray nodes and bounds of objects, where they are to be shown.
 void draw_inside(const Model& model, const Layout& layout);
 
 }  // namespace crsh::viewer

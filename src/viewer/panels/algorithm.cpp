@@ -33,11 +33,11 @@ std::string title_of(const Option& option) {
   return title;
 }
 
-/// One word of several.
+/// Draws an option whose value is one of several words.
 void draw_words(Model& model, Widgets& widgets, const Option& option, const std::string& name, const char* label,
                 const std::string& now, const std::string& prefix) {
   std::vector<std::string> words = option.words;
-  std::erase_if(words, [](const std::string& word) { return word == "file"; });  // of --replay-rays only
+  std::erase_if(words, [](const std::string& word) { return word == "file"; });  // makes sense only with --replay-rays
   std::string chosen;
   const bool changed = widgets.choice(name, label, now, words, chosen);
   widgets.hint(option.help);
@@ -51,7 +51,7 @@ void draw_whole(Model& model, Widgets& widgets, const Option& option, const std:
   if (changed) set(model, option, prefix + std::to_string(now));
 }
 
-/// A value for each kind of rays.
+/// Draws an option that has a value for each kind of rays.
 void draw_kinds(Model& model, Widgets& widgets, const Option& option, const Json& values) {
   for (const auto& [kind, value] : values.items()) {
     const std::string name = option.key() + " " + kind, label = title_of(option) + ", " + kind.substr(0, 7);

@@ -68,7 +68,7 @@ void draw_progress(const Model& model, const Layout& layout) {
   ImGui::SetNextWindowBgAlpha(0.85f);
   if (ImGui::Begin("progress", nullptr, plain | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs)) {
     ImGui::TextUnformatted(model.news.phase.c_str());
-    // Reading and uploading do not say how far they are: their bar moves.
+    // Reading and uploading do not tell how far they are: their bar moves to and fro.
     const float share =
         model.news.done > 0 ? float(model.news.done) : float(ImGui::GetTime() - std::floor(ImGui::GetTime()));
     ImGui::ProgressBar(share, {ImGui::GetFontSize() * 16, 0}, model.news.done > 0 ? nullptr : "");

@@ -11,7 +11,7 @@
 namespace crsh::viewer {
 namespace {
 
-/// 12,345,678 in a few places: "12.3 M".
+/// A number in a few characters: 12,345,678 as "12.3 M".
 std::string brief(double count) {
   if (count >= 1e10) return fmt::format("{:.1f} G", count / 1e9);
   if (count >= 1e8) return fmt::format("{:.0f} M", count / 1e6);
@@ -77,7 +77,7 @@ void cell(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-/// Levels from the top, then the triangles that rays meet, then meshes and boxes.
+/// Draws the tests of a kind and bounce: levels from the top, then rays against triangles, then tests against objects.
 void draw_row(const RayStatistics& row) {
   const double brute = brute_force(row);
   const auto line = [&](const std::string& what, const std::string& nodes, double tests, const std::string& hits) {

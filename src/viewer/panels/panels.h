@@ -18,13 +18,13 @@ struct Layout {
   }
 };
 
-/// `text`: the height of a line of text.
+/// The layout in a window of this size; `text`: the height of a line of text.
 [[nodiscard]] Layout layout_of(const Model& model, glm::vec2 window, float text);
 
-/// All of them; what people change goes to `model`.
+/// Draws all panels, and changes `model` as people change them.
 void draw_panels(Model& model, Widgets& widgets, const Layout& layout);
 
-// Their parts, one file each.
+// Their parts, a file each.
 void draw_view_section(Model& model, Widgets& widgets);
 void draw_algorithm_section(Model& model, Widgets& widgets);
 void draw_rays_section(Model& model, Widgets& widgets);

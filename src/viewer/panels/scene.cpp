@@ -24,7 +24,7 @@ void draw_light(LightOption& light, size_t index) {
   ImGui::PopID();
 }
 
-/// As bright in the middle of the scene as a light that is chosen for one without any.
+/// Adds a light where the eye is, with the intensity that the light of a scene without any gets.
 void add_light(Model& model) {
   model.begin_own_view();
   const glm::vec3 at = model.camera.eye(), middle = (model.bounds.low + model.bounds.high) * 0.5f;
@@ -50,7 +50,7 @@ void draw_lights(Model& model, Widgets& widgets) {
     lights.pop_back();
 }
 
-/// Objects are hidden by their index: names need not be unique.
+/// Hides objects, by their index because names need not be unique.
 void set_hidden(Model& model, const std::vector<bool>& hidden) {
   model.command.options.hidden.clear();
   for (size_t i = 0; i < hidden.size(); ++i)
@@ -63,7 +63,7 @@ std::string name_of(const scene::Scene& scene, size_t instance) {
   return !node.empty() ? node : !mesh.empty() ? mesh : fmt::format("object {}", instance);
 }
 
-/// Nodes with their instances below them, by recursion from the roots.
+/// Draws the scene's nodes with their instances below them, from the roots down.
 class Tree {
  public:
   Tree(const scene::Scene& scene, std::vector<bool>& hidden, Widgets& widgets)
