@@ -1,5 +1,5 @@
-// Tests by ray and by node, for the layers Tests.* (C++: hierarchy/account.h). The includer defines ACCOUNT_BINDING.
-// Where a layer is not asked for, ACCOUNT of its tests compiles to nothing.
+// The account: tests by ray and by node, for the layers Tests.* (C++: hierarchy/account.h). The includer defines
+// ACCOUNT_BINDING. Where a layer is not asked for, ACCOUNT of its tests compiles to nothing.
 
 #include "shared/account.h"
 

@@ -4,12 +4,13 @@
 
 #include "lib/fresnel.glsl"
 
-/// A smoother surface shows a light without extent as nothing at all, or as infinity: highlights end here.
+/// The least roughness that is used: a smoother surface would show a lamp, which has no extent, as infinitely bright or
+/// not at all.
 const float least_roughness = 0.045;
 const float pi = 3.14159265358979;
 
-/// GGX (Trowbridge-Reitz) distribution of microfacets. The squared sine to the half vector comes from a cross product:
-/// 1 - cos^2 would have lost its digits in the middle of a sharp highlight.
+/// GGX (Trowbridge-Reitz) distribution of microfacets. The squared sine to the half vector is taken from a cross
+/// product, because 1 - cos^2 loses all its digits in the middle of a sharp highlight.
 float ggx_distribution(vec3 normal, vec3 middle, float alpha) {
   float squared = alpha * alpha;
   float cosine = clamp(dot(normal, middle), 0.0, 1.0);
@@ -26,8 +27,8 @@ float smith_visibility(float cos_light, float cos_view, float alpha) {
   return 0.5 / max(light + view, 1e-12);
 }
 
-/// BRDF times the cosine to the light. Unit vectors; `view` points to where the ray came from. `diffuse`: what
-/// scatters, less metal and transmission.
+/// The BRDF times the cosine to the light. Vectors are unit; `view` points to where the ray came from. `diffuse`: base
+/// colour less metal and transmission.
 vec3 reflected_light(vec3 normal, vec3 view, vec3 light, vec3 diffuse, vec3 f0, float roughness) {
   float cos_light = dot(normal, light);
   if (!(cos_light > 0.0)) return vec3(0.0);

@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_CELL_GLSL
 #define CRSH_LIB_CELL_GLSL
-// Which cell of a regular grid a point of the unit interval, square or cube lies in. What lies outside goes to the
-// cells at the rim; whatever comes in, the result is a cell.
+// The cell of a regular grid in which a point of the unit interval, square or cube lies. A point outside gets a cell at
+// the edge, and any float, even not a number, gets some cell.
 
 uint cell_of(float place, uint bits) {
   const uint last = (1u << bits) - 1u;

@@ -1,7 +1,8 @@
 #ifndef CRSH_LIB_CLUSTER_GLSL
 #define CRSH_LIB_CLUSTER_GLSL
-// A cluster of lanes that walk together: so many as the includer's `cluster` says, a power of two; one in "-alone"
-// builds. What all of them know they find out by shuffles alone: on lavapipe a ballot takes as long as ten.
+// A cluster: neighbouring lanes of a subgroup that walk together. The includer's `cluster` is their number, a power of
+// two, and 1 in "-alone" builds. They tell each other by shuffles only: on lavapipe a ballot takes as long as ten of
+// them.
 
 #include "lib/invocation.glsl"
 #include "lib/together.glsl"
@@ -11,13 +12,13 @@ uint lane_in_cluster() { return 0u; }
 uint first_of_cluster() { return 0u; }
 /// A bit for each lane of the cluster where `value` holds.
 uint lanes_of_cluster(bool value) { return value ? 1u : 0u; }
-/// Lanes of a cluster have neighbouring places.
+/// The lane's number in the dispatch, such that lanes of a cluster have consecutive ones.
 uint lane_place() { return invocation_index(); }
-/// Inclusive, up to this lane of the cluster.
+/// Sum over the cluster's lanes up to this one, and with it.
 uint sum_of_lanes(uint value) { return value; }
 /// The first lane whose inclusive sum is above `place`.
 uint lane_of_sum(uint sum, uint place) { return 0u; }
-/// Of all lanes of the cluster.
+/// The least, and below the largest, over all lanes of the cluster.
 uint least_of_lanes(uint value) { return value; }
 float largest_of_lanes(float value) { return value; }
 #else
@@ -50,7 +51,7 @@ float largest_of_lanes(float value) {
     value = max(value, FROM_LANE(value, gl_SubgroupInvocationID ^ apart));
   return value;
 }
-/// Subgroups are full: the host asks for this build only where they divide a workgroup.
+/// Counts on full subgroups: the host uses this build only where subgroups divide a workgroup.
 uint lane_place() {
   return workgroup_index() * gl_WorkGroupSize.x + gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
 }

@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_EXACT_GLSL
 #define CRSH_LIB_EXACT_GLSL
-// Arithmetic that rounds the same in every shader: `precise` does not reach into the built-ins, so they stand here
-// written out, and nothing may be fused or reordered.
+// Arithmetic that rounds in the same way in every shader. `precise` forbids to fuse or reorder operations, but does not
+// reach into built-in functions: so they are written out here.
 
 float exact_dot(vec3 a, vec3 b) {
   precise float x = a.x * b.x;
@@ -23,7 +23,7 @@ float exact_length(vec3 v) {
   return result;
 }
 
-/// Unit vector; v itself where its length is 0.
+/// The unit vector along v; v itself where its length is 0.
 vec3 exact_normalize(vec3 v) {
   precise float squared = exact_dot(v, v);
   precise vec3 result = squared > 0.0 ? v / sqrt(squared) : v;

@@ -1,11 +1,12 @@
 #ifndef CRSH_LIB_FRESNEL_GLSL
 #define CRSH_LIB_FRESNEL_GLSL
-// How much a surface reflects, and what it sends on: weights of reflection and refraction rays.
+// How much light a surface reflects and how much it lets through: the weights of reflection and refraction rays.
 
 /// A ray whose weight is below this in every channel is not cast.
 const float least_weight = 1.0 / 256.0;
 
-/// Reflectance of a dielectric at normal incidence; `ratio` is that of the indices of refraction, either way round.
+/// Reflectance of a dielectric at normal incidence; `ratio` is the ratio of the two indices of refraction, or its
+/// inverse.
 float dielectric_f0(float ratio) {
   float root = (1.0 - ratio) / (1.0 + ratio);
   return root * root;
@@ -32,8 +33,8 @@ float dielectric_fresnel(float cosine, float eta) {
   return clamp(0.5 * (across * across + along * along), 0.0, 1.0);
 }
 
-/// Reflectance at `cosine`: Schlick's where the surface does not bend (eta 1); else the dielectric's exact curve,
-/// which also knows total internal reflection, from f0 up to 1.
+/// Reflectance at `cosine`, from f0 up to 1: Schlick's curve where rays do not bend (eta is 1), else the dielectric's
+/// exact one, which includes total internal reflection.
 vec3 fresnel(vec3 f0, float cosine, float eta) {
   float rise = schlick(cosine);
   if (eta != 1.0) {
@@ -43,13 +44,14 @@ vec3 fresnel(vec3 f0, float cosine, float eta) {
   return f0 + (vec3(1.0) - f0) * rise;
 }
 
-/// What a mirrored ray is multiplied by: rough surfaces spread it, and only the sharp part is traced.
+/// The weight of a reflection ray. A rough surface scatters part of the light; only the rest, the sharp part, is
+/// traced.
 vec3 reflection_weight(vec3 f0, float cosine, float eta, float roughness) {
   float sharp = 1.0 - roughness;
   return fresnel(f0, cosine, eta) * (sharp * sharp);
 }
 
-/// What a refracted ray is multiplied by; `diffuse`: base colour less metal. 0 at total internal reflection.
+/// The weight of a refraction ray, 0 at total internal reflection; `diffuse`: base colour less metal.
 vec3 refraction_weight(vec3 f0, float cosine, float eta, float transmission, vec3 diffuse) {
   return (vec3(1.0) - fresnel(f0, cosine, eta)) * diffuse * transmission;
 }

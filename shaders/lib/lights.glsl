@@ -1,17 +1,17 @@
 #ifndef CRSH_LIB_LIGHTS_GLSL
 #define CRSH_LIB_LIGHTS_GLSL
-// What reaches a point from a light (KHR_lights_punctual); ray creation and shading ask the same function.
+// How much of a light reaches a point (KHR_lights_punctual). Ray creation and shading use the same function.
 
 #include "lib/exact.glsl"
 #include "shared/scene.h"
 
-/// Unit direction to the light, and the share of its intensity that arrives, 1/m2 (directional: 1). 0: out of reach.
+/// Unit direction to the light, and the share of its intensity that arrives, 1/m2 (directional: 1); 0 where none does.
 struct Incidence {
   vec3 towards;
   float share;
 };
 
-/// Inverse square with a smooth end at `range` (infinite: none).
+/// The inverse square of the distance, which falls smoothly to 0 at `range` (infinite: it does not).
 float distance_share(float squared, float range) {
   if (squared < 1e-20) return 0.0;
   precise float relative = squared / (range * range);
@@ -27,8 +27,8 @@ Incidence incidence(Light light, vec3 point) {
   return Incidence(towards, distance_share(exact_dot(way, way), light.direction.w) * angular * angular);
 }
 
-/// Where a shadow ray to `point` starts: at the light (the paper's inversion, section 3.2.2); a directional light's on
-/// the plane through its position, outside the scene's bounds.
+/// Where a shadow ray to `point` starts: at the light (the paper's inversion, section 3.2.2). That of a directional
+/// light starts on the plane through the light's position, which lies outside the scene's bounds.
 vec3 light_end(Light light, vec3 point) {
   if (uint(light.position.w) != light_directional) return light.position.xyz;
   precise vec3 from_plane = point - light.position.xyz;

@@ -1,8 +1,8 @@
 #ifndef CRSH_LIB_MORTON_GLSL
 #define CRSH_LIB_MORTON_GLSL
-// Cells of a grid in Z order: the coordinates' bits interleaved, the first coordinate's on top.
+// Z order of a grid's cells: the bits of the coordinates are interleaved, with the first coordinate's highest.
 
-/// Bits 0 to 15 of v to the even bits.
+/// Moves bits 0 to 15 of v to the even bits.
 uint spread_2(uint v) {
   v = (v | v << 8) & 0x00FF00FFu;
   v = (v | v << 4) & 0x0F0F0F0Fu;
@@ -10,7 +10,7 @@ uint spread_2(uint v) {
   return (v | v << 1) & 0x55555555u;
 }
 
-/// Bits 0 to 9 of v to every third bit.
+/// Moves bits 0 to 9 of v to every third bit.
 uint spread_3(uint v) {
   v = (v | v << 16) & 0x030000FFu;
   v = (v | v << 8) & 0x0300F00Fu;
@@ -22,7 +22,7 @@ uint morton(uvec2 cell) { return spread_2(cell.x) << 1 | spread_2(cell.y); }
 
 uint morton(uvec3 cell) { return spread_3(cell.x) << 2 | spread_3(cell.y) << 1 | spread_3(cell.z); }
 
-/// Five dimensions, the lowest `bits` (6 at most) bits of each.
+/// Z order in five dimensions, with the lowest `bits` (6 at most) bits of each.
 uint morton(uvec3 a, uvec2 b, uint bits) {
   uint code = 0u;
   for (uint i = bits; i-- > 0u;) {

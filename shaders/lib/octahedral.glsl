@@ -1,9 +1,10 @@
 #ifndef CRSH_LIB_OCTAHEDRAL_GLSL
 #define CRSH_LIB_OCTAHEDRAL_GLSL
-// The sphere of directions on a square: projected on an octahedron, whose upper half is folded outwards. Downwards,
-// where most lamps shine, is the middle of the square, and the whole lower hemisphere has no seam.
+// Directions mapped to a square: they are projected on an octahedron, whose upper half is folded outwards. Straight
+// down, where most lamps shine, is the middle of the square, so that the lower hemisphere has no seam.
 
-/// Direction (any length but 0) to the unit square. No transcendental function; the same bits in every shader.
+/// A direction (of any length but 0) as a point of the unit square. No transcendental function, so that every shader
+/// gets the same bits.
 vec2 octahedral(vec3 direction) {
   precise float sum = (abs(direction.x) + abs(direction.y)) + abs(direction.z);
   precise float inverse = 1.0 / sum;

@@ -1,17 +1,18 @@
 #ifndef CRSH_LIB_OFFSET_GLSL
 #define CRSH_LIB_OFFSET_GLSL
-// Where rays leave a surface. The only step of its kind: no hit is refused for being near.
+// Where rays leave a surface: a step off it. There is no other such measure; no hit is refused for being near.
 
 #include "lib/exact.glsl"
 
-/// Shares of coordinates: no length in scene units, so that a scene may have any scale and lie anywhere.
-/// 2^-16 of the point's largest, 128 units in its last place: above the rounding of interpolated points.
+/// Steps are shares of coordinates and no lengths in scene units, so that a scene may have any scale and lie anywhere.
+/// This one is 2^-16 of the point's largest coordinate, 128 units in its last place: more than the rounding of
+/// interpolated points.
 const float offset_step = 1.52587890625e-5;
-/// 2^-20 of the largest of what else the arithmetic of a hit meets, its triangle's corners and the ray's other end:
-/// above the rounding of both where the point is much closer to the world's origin than they are.
+/// This one is 2^-20 of the largest coordinate of the triangle's corners and of the ray's other end: more than the
+/// rounding of both, which matters where the point is much closer to the world's origin than they are.
 const float offset_step_of_others = 9.5367431640625e-7;
 
-/// Bound of the coordinates of a triangle, from its smallest sphere.
+/// No coordinate of the triangle with this smallest sphere is larger.
 float extent_of(vec4 sphere) {
   precise float extent = largest(sphere.xyz) + sphere.w;
   return extent;
@@ -25,7 +26,7 @@ vec3 offset_point(vec3 point, vec3 side, float others) {
   return moved;
 }
 
-/// `direction` on the side that `side` points to: what dips below is mirrored back about the geometric surface.
+/// `direction`, mirrored at the geometric surface where it does not point to the side of `side`.
 vec3 on_side(vec3 direction, vec3 side) {
   precise float height = exact_dot(direction, side);
   precise vec3 mirrored = direction - side * (2.0 * height);

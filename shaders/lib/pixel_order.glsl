@@ -4,8 +4,8 @@
 
 const uint tile_side = 8u;
 
-/// The i-th pixel of tiles of 8x8, row by row, and row by row inside a tile; those at the right and the lower edge of
-/// the image are smaller where its size is no multiple of 8.
+/// The i-th pixel in tiles of 8x8 pixels: tiles go row by row, and so do the pixels of a tile. Tiles at the right and
+/// lower edges are smaller where the image's size is no multiple of 8.
 uvec2 tiled_pixel(uint i, uvec2 size) {
   uint row = i / (tile_side * size.x), in_row = i % (tile_side * size.x);
   uint height = min(tile_side, size.y - row * tile_side);

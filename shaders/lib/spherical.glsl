@@ -1,9 +1,8 @@
 #ifndef CRSH_LIB_SPHERICAL_GLSL
 #define CRSH_LIB_SPHERICAL_GLSL
-// Spherical coordinates (section 3.2.2), with the arcus tangent written out so that it has the same bits on every
-// driver.
+// Spherical coordinates (section 3.2.2). The arc tangent is written out, so that every driver gets the same bits.
 
-/// Arcus tangent of 0 to 1, radians, to 2e-8 before rounding (Abramowitz and Stegun 4.4.49).
+/// Arc tangent of 0 to 1, in radians, within 2e-8 before rounding (Abramowitz and Stegun 4.4.49).
 float exact_atan_unit(float x) {
   precise float square = x * x;
   precise float p = 0.0028662257;
@@ -19,7 +18,7 @@ float exact_atan_unit(float x) {
   return angle;
 }
 
-/// Angle of the point (x, y), radians, -pi to pi.
+/// The angle of the point (x, y), -pi to pi radians.
 float exact_atan(float y, float x) {
   precise float longer = max(abs(x), abs(y));
   precise float inverse = 1.0 / longer;
@@ -32,8 +31,8 @@ float exact_atan(float y, float x) {
   return y < 0.0 ? -angle : angle;
 }
 
-/// Direction (any length but 0) to (theta / pi, (phi + pi) / 2 pi), each 0 to 1: theta from the upward axis, phi about
-/// it.
+/// A direction (of any length but 0) as (theta / pi, (phi + pi) / 2 pi), each 0 to 1; theta is the angle from the
+/// upward axis, phi that around it.
 vec2 spherical(vec3 direction) {
   precise float level_squared = direction.x * direction.x + direction.z * direction.z;
   precise float level = sqrt(level_squared);

@@ -1,6 +1,6 @@
 #ifndef CRSH_LIB_SURFACE_GLSL
 #define CRSH_LIB_SURFACE_GLSL
-// What a ray finds where it meets a triangle, whether the raster pass or the hierarchy found the triangle.
+// What a surface is where a ray meets a triangle. The raster pass and the hits of rays use the same functions.
 
 #include "lib/exact.glsl"
 #include "lib/fresnel.glsl"
@@ -20,7 +20,8 @@ struct Surface {
   vec3 emission;  // cd/m2
 };
 
-/// Unit normal of the front; 0 for a triangle without area. Edges are scaled first: no small triangle underflows.
+/// Unit normal of the front; 0 for a triangle without area. Edges are scaled first, so that small triangles do not
+/// underflow.
 vec3 front_normal(vec3 a, vec3 b, vec3 c) {
   precise vec3 ab = b - a;
   precise vec3 ac = c - a;
@@ -40,8 +41,9 @@ vec3 turned_normal(vec3 front, vec3 incoming) {
   return meets_front(front, incoming) ? front : -front;
 }
 
-/// The interpolated normal on the geometric normal's side, and lifted where it looks away from the ray that came, as
-/// it may at the silhouette of a coarse mesh. Zero: flat shading.
+/// The interpolated normal, turned to the geometric normal's side. Where it points away from the ray that came, as it
+/// may at the silhouette of a coarse mesh, it is turned until it does not. Zero: the geometric normal, for flat
+/// shading.
 vec3 shading_normal(vec3 interpolated, vec3 geometric, vec3 incoming) {
   vec3 normal = exact_normalize(interpolated);
   if (!(exact_dot(normal, normal) > 0.5)) return geometric;
@@ -51,7 +53,7 @@ vec3 shading_normal(vec3 interpolated, vec3 geometric, vec3 incoming) {
   return away > 0.0 ? exact_normalize(lifted) : normal;
 }
 
-/// Barycentric weights, none negative, of a point on the triangle (thirds for one without area).
+/// Barycentric weights, none negative, of a point on the triangle (a third each where it has no area).
 vec3 weights_at(vec3 point, vec3 a, vec3 b, vec3 c) {
   vec3 front = front_normal(a, b, c);
   precise vec3 pa = a - point;
@@ -71,7 +73,7 @@ vec3 point_at(vec3 weights, vec3 a, vec3 b, vec3 c) {
   return point;
 }
 
-/// Whether rays bend: a solid, not a thin wall (KHR_materials_volume).
+/// Whether rays bend, as in a solid and not in a thin wall (KHR_materials_volume).
 bool bends(Material material) {
   float transmission = material.body.y, ior = material.body.z, thickness = material.body.w;
   return thickness > 0.0 && transmission > 0.0 && ior > 0.0;

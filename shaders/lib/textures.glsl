@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_TEXTURES_GLSL
 #define CRSH_LIB_TEXTURES_GLSL
-// A texture sampler of our own: not every device can pick one of many textures by lane. No mip levels: samples smooth.
-// The includer defines `uint texel_word(uint page, uint index)`.
+// A texture sampler of our own, because not every device can choose another texture in each lane. There are no mip
+// levels: several samples a pixel smooth the picture. The includer defines `uint texel_word(uint page, uint index)`.
 
 #include "shared/limits.h"
 #include "shared/scene.h"
@@ -10,21 +10,22 @@ const uint wrap_repeat = 0u, wrap_clamp = 1u, wrap_mirror = 2u;
 
 uint wrap_of(Texture image, uint shift) { return image.flags >> shift & 3u; }
 
-/// The sRGB curve's inverse: coded 0..1 to linear light.
+/// Linear light of a value in sRGB, 0 to 1.
 vec3 srgb_to_linear(vec3 coded) {
   vec3 low = coded / 12.92;
   vec3 high = pow((coded + 0.055) / 1.055, vec3(2.4));
   return mix(high, low, lessThanEqual(coded, vec3(0.04045)));
 }
 
-/// A texture coordinate brought near 0..1 (mirror: 0..2), so that any float is safe to turn into a texel.
+/// A texture coordinate brought near 0..1 (mirrored: 0..2), so that any float can safely become an index.
 float reduced(float u, uint wrap) {
   if (isnan(u) || isinf(u)) return 0.0;
   if (wrap == wrap_clamp) return clamp(u, 0.0, 1.0);
   return wrap == wrap_repeat ? u - floor(u) : u - 2.0 * floor(u * 0.5);
 }
 
-/// The index of a texel or of its neighbour, brought inside. No division: lavapipe does it lane by lane.
+/// The index of a texel, or of its neighbour, wrapped into the texture. Without a division, which lavapipe does lane by
+/// lane.
 int wrapped(int i, int size, uint wrap) {
   if (wrap == wrap_clamp) return clamp(i, 0, size - 1);
   int period = wrap == wrap_repeat ? size : 2 * size;

@@ -1,10 +1,10 @@
 #ifndef CRSH_LIB_TOGETHER_GLSL
 #define CRSH_LIB_TOGETHER_GLSL
-// A subgroup whose lanes all walk one list reads it together: each lane loads another element and passes it round.
-// lavapipe pays 10 ns a lane for every vec4 that is loaded, however many lanes want the same one, and 1 ns for a
-// shuffle. Where lanes walk different lists, each goes its own way; no result depends on which way was taken. The build
-// makes every kernel that includes this file twice: "-alone", with CRSH_ALONE, never reads together and shuffles
-// nothing, for devices that cannot or gain nothing. No lane may have returned.
+// Where all lanes of a subgroup walk the same list, each loads another element of it and passes it to the others by a
+// shuffle. On lavapipe a load of a vec4 takes 10 ns a lane, even where all lanes load the same one, and a shuffle 1 ns.
+// Where lanes walk different lists each loads its own elements; results are the same either way. The build makes every
+// kernel that includes this file twice: the one called "-alone", with CRSH_ALONE, has no shuffles, for devices that
+// have none or gain nothing by them. No lane may have returned before.
 
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -12,8 +12,9 @@
 #extension GL_KHR_shader_subgroup_shuffle : require
 #endif
 
-/// Whether all lanes of the subgroup have the same list, begin to before end, so that they walk it together. (An empty
-/// list begins where the next one does: its lanes would stop and leave the others without what they load.)
+/// Whether all lanes of the subgroup have the same list, from begin to before end. (Lanes with an empty list, which
+/// begins where the next one does, do not count as having the same: they would stop, and the others would miss what
+/// they load.)
 bool walk_together(uint begin, uint end) {
 #ifdef CRSH_ALONE
   return false;
@@ -23,7 +24,7 @@ bool walk_together(uint begin, uint end) {
 #endif
 }
 
-/// Whether any lane of the subgroup wants it.
+/// Whether `wanted` is true in any lane of the subgroup.
 bool any_lane(bool wanted) { return subgroupBallot(wanted) != uvec4(0u); }
 
 #ifdef CRSH_ALONE

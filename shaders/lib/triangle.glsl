@@ -1,21 +1,23 @@
 #ifndef CRSH_LIB_TRIANGLE_GLSL
 #define CRSH_LIB_TRIANGLE_GLSL
-// What a hit is (one function's word), and the triangle's own bounds.
+// What a hit is, which one function decides, and the triangle's own bounds.
 //
-// A hit is: the ray passes inside the triangle, 0 < t < tmax, AND the point at t lies in the triangle's box (slab
-// interval) and in its smallest sphere (chord). Float tests accept points off slivers and at grazing incidence that a
-// right bound culls; with the two bounds in the definition, no culling test can disagree with brute force.
+// A hit is: the ray passes inside the triangle, 0 < t < tmax, AND the point at t lies in the triangle's box (by its
+// slab interval) and in its smallest sphere (by its chord). Float arithmetic also accepts points beside slivers and at
+// grazing incidence, which a correct bound would cull. With both bounds in the definition no culling test can disagree
+// with brute force.
 
 #include "lib/exact.glsl"
 
-/// Bounds are padded by 2^-20 of the largest coordinate at hand: 16 units in its last place. This covers the rounding
-/// of t and of the bounds themselves, and lies 16 times below the step that moves ray origins off surfaces.
+/// Bounds are padded by 2^-20 of the largest coordinate involved, 16 units in its last place. This covers the rounding
+/// of t and of the bounds themselves, and is a 16th of the step that moves ray origins off surfaces.
 const float bound_pad = 9.5367431640625e-7;
-/// Outward rounding of a computed bound, relative.
+/// The factor by which a computed bound is rounded outwards.
 const float bound_slack = 1.0 + 9.5367431640625e-7;
 
-/// Centre and padded radius of the smallest sphere around a triangle (Ericson 2004): of obtuse and right triangles
-/// the longest edge's, else the circumscribed one. The radius is measured from the rounded centre, so it holds.
+/// Centre and padded radius of the smallest sphere around a triangle (Ericson 2004): for obtuse and right triangles the
+/// one around the longest edge, else the circumscribed one. The radius is measured from the rounded centre, so that the
+/// sphere does hold the corners.
 vec4 smallest_sphere(vec3 a, vec3 b, vec3 c) {
   precise vec3 ab = b - a;
   precise vec3 ac = c - a;
@@ -51,7 +53,7 @@ vec3 safe_inverse(vec3 d) {
   return inverse;
 }
 
-/// The point at t lies inside the box, by its slab interval.
+/// Whether the point at t lies in the box: whether t is in the ray's slab interval.
 bool inside_slabs(vec3 origin, vec3 direction, float t, vec3 low, vec3 high) {
   precise vec3 inverse = safe_inverse(direction);
   precise vec3 first = (low - origin) * inverse;
@@ -65,7 +67,7 @@ bool inside_slabs(vec3 origin, vec3 direction, float t, vec3 low, vec3 high) {
   return enter <= later && t <= widened;
 }
 
-/// The point at t lies inside the sphere, by its chord.
+/// Whether the point at t lies in the sphere: whether t is in the ray's chord.
 bool inside_chord(vec3 origin, vec3 direction, float t, vec3 centre, float radius) {
   precise vec3 to_centre = centre - origin;
   precise float squared = exact_dot(direction, direction);
@@ -78,8 +80,8 @@ bool inside_chord(vec3 origin, vec3 direction, float t, vec3 centre, float radiu
   return left >= 0.0 && distance_to_middle <= reach;
 }
 
-/// How a ray sees corners: components are turned so that the direction's largest one comes last, handedness stays; and
-/// sheared along it. Worked out once a ray: lavapipe moves nothing out of loops.
+/// How a ray sees corners: axes are cyclically renamed so that the direction's largest component comes last, and the
+/// others are sheared along it. Computed once a ray, because lavapipe moves nothing out of loops.
 struct Shear {
   bool x_largest;
   bool y_largest;
@@ -97,9 +99,9 @@ Shear shear_of(vec3 direction) {
   return Shear(shear.x_largest, shear.y_largest, d.z, slope);
 }
 
-/// A corner as the ray sees it: z is its depth along the direction's largest component, and the others are sheared so
-/// that the ray passes through (0, 0). It is rounded for the corner alone, so all triangles around it agree where it is
-/// (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013).
+/// A corner as the ray sees it: z is its depth along the direction's largest component, x and y are sheared so that the
+/// ray passes through (0, 0). Only the corner enters into this, so that all triangles around it get the same, rounding
+/// included (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013).
 vec3 seen_from(vec3 origin, Shear shear, vec3 corner) {
   precise vec3 from_origin = corner - origin;
   vec3 p = turned(from_origin, shear);
@@ -107,9 +109,9 @@ vec3 seen_from(vec3 origin, Shear shear, vec3 corner) {
   return vec3(flattened, p.z);
 }
 
-/// Unnormalised barycentric weights of three corners as the ray sees them: all of one sign inside. The difference of
-/// two rounded products has the right sign or is 0, and is the same, with the sign turned, on both sides of a shared
-/// edge: no ray slips between the triangles around an edge or a corner.
+/// Unnormalised barycentric weights of three corners as the ray sees them: they have one sign where it passes inside.
+/// The difference of two rounded products has the right sign or is 0, and two triangles get the same one but for the
+/// sign for the edge they share. So no ray slips between the triangles around an edge or a corner.
 vec3 edge_weights(vec3 a, vec3 b, vec3 c) {
   precise vec3 left = vec3(b.x * c.y, c.x * a.y, a.x * b.y);
   precise vec3 right = vec3(b.y * c.x, c.y * a.x, a.y * b.x);
@@ -117,7 +119,7 @@ vec3 edge_weights(vec3 a, vec3 b, vec3 c) {
   return weights;
 }
 
-/// The point at t lies inside the triangle's own box and smallest sphere, each padded.
+/// Whether the point at t lies in the triangle's own box and in its smallest sphere, each padded.
 bool inside_bounds(vec3 origin, vec3 direction, float t, vec3 a, vec3 b, vec3 c) {
   vec4 sphere = smallest_sphere(a, b, c);
   float largest_origin = largest(origin);
@@ -128,21 +130,21 @@ bool inside_bounds(vec3 origin, vec3 direction, float t, vec3 a, vec3 b, vec3 c)
   return inside_slabs(origin, direction, t, low, high) && inside_chord(origin, direction, t, sphere.xyz, radius);
 }
 
-/// Whether the ray hits the triangle, and at which t. `shear` is the direction's. `cull_back`: the triangle's back lets
-/// the ray pass.
+/// Whether the ray hits the triangle, and at which t. `shear`: of the ray's direction. `cull_back`: rays pass through
+/// the triangle's back.
 bool hit_triangle(vec3 origin, vec3 direction, Shear shear, float tmax, vec3 a, vec3 b, vec3 c, bool cull_back,
                   out float t) {
   vec3 sa = seen_from(origin, shear, a), sb = seen_from(origin, shear, b), sc = seen_from(origin, shear, c);
   vec3 weights = edge_weights(sa, sb, sc);
   bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
 
-  // Depth is a mean of the corners' depths: t cannot leave the triangle, however it grazes the ray.
+  // Depth is a weighted mean of the corners' depths, so that the point stays on the triangle at grazing incidence, too.
   precise float sum = (weights.x + weights.y) + weights.z;
   precise float towards = sum * shear.depth;  // negative: the ray meets the front
   precise float depth = (weights.x * sa.z + weights.y * sb.z) + weights.z * sc.z;
   precise float at = depth / towards;
   t = at;
-  bool in_range = towards != 0.0 && at > 0.0 && at < tmax;  // not parallel, not without area
+  bool in_range = towards != 0.0 && at > 0.0 && at < tmax;  // 0: parallel to the ray, or without area
   bool faces = !(cull_back && towards > 0.0);
 
   bool hit = false;
@@ -150,7 +152,7 @@ bool hit_triangle(vec3 origin, vec3 direction, Shear shear, float tmax, vec3 a, 
   return hit;
 }
 
-/// Barycentric weights of a, b, c, summing to 1, where the ray meets the triangle (thirds for one without area).
+/// Barycentric weights of a, b, c where the ray meets the triangle; their sum is 1 (a third each where it has no area).
 vec3 barycentrics(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
   Shear shear = shear_of(direction);
   vec3 weights = edge_weights(seen_from(origin, shear, a), seen_from(origin, shear, b), seen_from(origin, shear, c));

@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_VISIT_GLSL
 #define CRSH_LIB_VISIT_GLSL
-// What a walk through the object hierarchy is to visit, in one word: an inner node's index; or a leaf, the number of
-// its triangles less 1, and the first of them; or `none`.
+// One word says what a walk through the object hierarchy visits next: an inner node, by its index; a leaf, by the
+// number of its triangles less 1 and the first of them; or `none`.
 
 #include "shared/limits.h"
 #include "shared/object.h"
@@ -9,7 +9,7 @@
 const uint leaf_count_shift = 29u;
 const uint leaf_first_mask = (1u << leaf_count_shift) - 1u;
 
-/// Of a child slot's `box_low.w` and `box_high.w`.
+/// The visit of a child, from its slot's `box_low.w` and `box_high.w`.
 uint visit_of(float ref, float count) {
   uint visit = floatBitsToUint(ref), triangles = floatBitsToUint(count);
   uint leaf = visit | (triangles - 1u) << leaf_count_shift;
@@ -18,7 +18,7 @@ uint visit_of(float ref, float count) {
 
 bool is_inner(uint visit) { return (visit & child_is_leaf) == 0u; }
 
-/// Triangles of a leaf; 0 of `none` or an inner node.
+/// How many triangles a leaf has; 0 for `none` and for an inner node.
 uint leaf_triangles(uint visit) {
   return visit == none || is_inner(visit) ? 0u : (visit >> leaf_count_shift & 3u) + 1u;
 }
