@@ -1,5 +1,5 @@
 #version 460
-// A cluster a triangle, in Morton order. Lane: a place in the order.
+// Makes a cluster of each triangle, in Morton order. Lane: a place in the order.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
-// The clusters of a build, in Morton order: what is not yet merged. A cluster is a triangle or a node of the raw tree,
-// whose triangles are its leaves and whose nodes are numbered from n - 2 down to the root, 0.
+// The clusters of a build, in Morton order: what is not merged yet. A cluster is a triangle or a node of the raw tree,
+// whose leaves are triangles, and whose nodes are numbered from n - 2 down to 0, the root.
 
 #include "lib/box.glsl"
 #include "shared/object.h"

@@ -1,16 +1,16 @@
 #version 460
-// Morton code of each triangle's centroid, 20 bits an axis, in two words of 30 bits: the sort goes by the low word
-// first, then stably by the high one. Lane: a pair (code, triangle).
+// The Morton code of each triangle's centroid, 20 bits an axis, in two words of 30 bits. Triangles are sorted by the
+// low word first, then by the high one with a stable sort. Lane: a pair (code, triangle).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 #include "lib/morton.glsl"
 
-layout(constant_id = 0) const bool high_word = false;  // else the pairs are begun
+layout(constant_id = 0) const bool high_word = false;  // false: writes the low word, and the triangle's number besides
 
 layout(push_constant, scalar) uniform Push {
-  vec3 low;       // of the centroids' cube
+  vec3 low;       // corner of the cube that holds the centroids
   float inverse;  // 1 / its edge
   uint count;
 };

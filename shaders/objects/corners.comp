@@ -1,5 +1,5 @@
 #version 460
-// The triangles in leaf order, each with its number. Lane: a place in the order.
+// Copies the triangles into leaf order, each with its number. Lane: a place in the order.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,5 +1,6 @@
 #version 460
-// The nodes that are kept, in the raw tree's order: what each child is. Their boxes come later. Lane: a raw node.
+// Writes the nodes that are kept, in the raw tree's order: what each child is. Boxes are filled in later (fit.comp).
+// Lane: a raw node.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -9,7 +10,9 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { uint count; };
 layout(binding = 0, scalar) readonly buffer RawNodes { uvec4 raw_nodes[]; };
 layout(binding = 1, scalar) readonly buffer Firsts { uint firsts[]; };
-layout(binding = 2, scalar) readonly buffer Places { uint places[]; };  // the nodes before: one more element than nodes
+layout(binding = 2, scalar) readonly buffer Places {
+  uint places[];
+};  // kept nodes before each; one element more than raw nodes
 layout(binding = 3, scalar) writeonly buffer Low { vec4 box_low[]; };
 layout(binding = 4, scalar) writeonly buffer High { vec4 box_high[]; };
 

@@ -1,6 +1,6 @@
 #version 460
-// From the leaves up: the boxes of a node's children, and what the surface area heuristic expects the node to cost.
-// The nodes of one dispatch are no ancestors of each other, and those below them are done. Lane: a node.
+// The boxes of a node's children, and the cost that the surface area heuristic expects of the node. Dispatches go from
+// the leaves up: none of a dispatch's nodes is an ancestor of another, and all nodes below them are done. Lane: a node.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -47,7 +47,7 @@ void main() {
   precise float area = half_area(whole);
   precise float cost = 2.0 * box_cost * area + below;
   costs[node] = cost;
-  // The root's last: its box, with its cost and area.
+  // The root is done last: its box, cost and area.
   if (node == 0u) {
     root[0] = vec4(whole.low, cost);
     root[1] = vec4(whole.high, area);

@@ -1,6 +1,6 @@
 #version 460
-// Pairs of clusters become nodes of the raw tree, and the clusters that stay move together. A node of few triangles
-// becomes a leaf where the surface area heuristic finds that cheaper. Lane: a cluster.
+// Makes nodes of the raw tree of pairs of clusters, and moves the clusters that remain to their places in the next
+// round. A node of few triangles becomes a leaf where the surface area heuristic finds that cheaper. Lane: a cluster.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -13,7 +13,7 @@ layout(push_constant, scalar) uniform Push {
   uint first_node;  // raw nodes of this round begin here
 };
 layout(binding = 0, scalar) readonly buffer Nearest { uint nearest[]; };
-layout(binding = 1, scalar) readonly buffer Places { uint places[]; };  // of those that stay: the flags, scanned
+layout(binding = 1, scalar) readonly buffer Places { uint places[]; };  // in the next round: the scan of the flags
 layout(binding = 2, scalar) readonly buffer Low { vec4 cluster_low[]; };
 layout(binding = 3, scalar) readonly buffer High { vec4 cluster_high[]; };
 layout(binding = 4, scalar) writeonly buffer NextLow { vec4 next_low[]; };
@@ -23,7 +23,7 @@ layout(binding = 7, scalar) buffer Costs { float costs[]; };  // a raw node: exp
 
 Cluster load_cluster(uint i) { return cluster_of(cluster_low[i], cluster_high[i]); }
 
-/// Of a triangle, or as it was found when the node was made.
+/// The cost of a triangle, or of a node as it was found when the node was made.
 float cost_of(Cluster cluster) {
   bool triangle = (cluster.ref & child_is_leaf) != 0u;
   float below = costs[triangle ? 0u : cluster.ref];
@@ -47,7 +47,7 @@ void main() {
   bool mutual = other != i && nearest[other] == i;
   if (mutual && other < i) return;
   Cluster cluster = load_cluster(i);
-  // A pair's number is how many clusters have gone before its second one.
+  // The number of a pair in this round: how many clusters before its second one have disappeared.
   if (mutual) cluster = made_node(cluster, load_cluster(other), first_node + other - places[other]);
   next_low[places[i]] = low_of(cluster);
   next_high[places[i]] = high_of(cluster);

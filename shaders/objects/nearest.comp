@@ -2,9 +2,9 @@
 // Parallel locally-ordered clustering (Meister and Bittner 2018): each cluster looks for the neighbour, up to `radius`
 // places away in Morton order, with which it would have the smallest box. Lane: a cluster.
 //
-// Equal areas go to the pair that comes first in an order of all pairs (distance in the list; odd distances that begin
-// at an even place; place): so the first pair of all is mutual, every round merges something, and clusters that are all
-// alike pair up by twos.
+// Of equal areas that pair wins which comes first in one order of all pairs: by distance in the list; then, for an odd
+// distance, those that begin at an even place; then by place. So the first pair of all chooses each other, every round
+// merges something, and clusters that are all alike merge by twos.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -15,13 +15,13 @@ layout(push_constant, scalar) uniform Push {
   uint first;  // cluster of this dispatch
   uint end;
   uint count;   // clusters in all
-  uint radius;  // 0: neighbours pair up by twos, whatever their boxes
+  uint radius;  // 0: every two neighbours merge, whatever their boxes
 };
 layout(binding = 0, scalar) readonly buffer Low { vec4 cluster_low[]; };
 layout(binding = 1, scalar) readonly buffer High { vec4 cluster_high[]; };
 layout(binding = 2, scalar) writeonly buffer Nearest { uint nearest[]; };
 
-/// An order of areas in which nothing is smaller than what is not a number.
+/// The area of both boxes merged; infinite where it is not a number, so that comparing areas is an order.
 float area_with(Box own, uint other) {
   float area = half_area(merged(own, Box(cluster_low[other].xyz, cluster_high[other].xyz)));
   return area >= 0.0 ? area : uintBitsToFloat(0x7F800000u);

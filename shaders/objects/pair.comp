@@ -1,6 +1,6 @@
 #version 460
-// Two clusters that are each other's nearest become one: flags those that stay, the first of every pair among them.
-// Lane: a cluster.
+// Two clusters that are each other's nearest become one. Flags the clusters that remain: all but the second of each
+// such pair. Lane: a cluster.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,6 +1,6 @@
 #version 460
-// From the root down: which triangles each raw node holds, in leaf order, and which nodes stay nodes, all of whose
-// ancestors do. Lane: a raw node of one round.
+// Finds, from the root down, which places in leaf order each raw node's triangles have, and which raw nodes are kept:
+// those that are not leaves, and below no leaf. Lane: a raw node of one round.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -10,7 +10,7 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { uint first, count; };
 layout(binding = 0, scalar) readonly buffer RawNodes { uvec4 raw_nodes[]; };
 layout(binding = 1, scalar) buffer Firsts { uint firsts[]; };  // a raw node: the first of its triangles
-layout(binding = 2, scalar) buffer Kept { uint kept[]; };      // a raw node: 1 where it stays a node
+layout(binding = 2, scalar) buffer Kept { uint kept[]; };      // a raw node: 1 where it is kept
 layout(binding = 3, scalar) writeonly buffer Order { uint order[]; };
 
 void main() {

@@ -1,4 +1,4 @@
-// Nodes of the raw tree, before leaves are made of its small subtrees.
+// Nodes of the raw tree, in which every leaf is one triangle; small subtrees become leaves later.
 
 #include "shared/object.h"
 

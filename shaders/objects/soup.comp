@@ -1,5 +1,6 @@
 #version 460
-// Three corners a triangle, one after the other, as the device's own builds want them. Lane: a triangle.
+// Writes the three corners of each triangle one after the other, as the device's own hierarchy is built from. Lane: a
+// triangle.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
