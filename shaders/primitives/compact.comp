@@ -1,6 +1,6 @@
 #version 460
-// The indices of the flags that are set, in order: each lane writes those of its run, from the number of set flags
-// before it on (the trimming of Figure 4, and the chunk bases of Figure 5).
+// The indices of the flags that are set, in order. Each lane writes those of its run, beginning at the place that the
+// number of set flags before its run gives (the trimming of Figure 4, and the chunk bases of Figure 5).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

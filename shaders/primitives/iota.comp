@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-// out[i] = i: the values of a sort that yields the order of its keys.
+// out[i] = i: values for a sort that is to give the order of its keys.
 
 #include "lib/invocation.glsl"
 

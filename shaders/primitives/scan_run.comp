@@ -1,6 +1,6 @@
 #version 460
-// The prefix sums within each lane's run, from the sum of all before it: the downward half of a prefix sum
-// (sections 3.2.2 and 3.2.3, "scan operator"). Source and destination may be one buffer.
+// The prefix sums of each lane's run, beginning with the sum of all elements before it: the downward half of a prefix
+// sum (sections 3.2.2 and 3.2.3, "scan operator"). Source and destination may be one buffer.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

@@ -1,6 +1,6 @@
 #version 460
 // The sum of each lane's run of elements: the upward half of a prefix sum (sections 3.2.2 and 3.2.3, "scan operator").
-// Each lane walks its own run serially, four elements a load, so that nothing depends on the subgroup's size.
+// Each lane walks its own run, four elements a load, so that nothing depends on the subgroup's size.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

@@ -1,6 +1,6 @@
 #version 460
 // First half of a pass of the stable radix sort (section 3.2.3): how often each digit occurs in each lane's run of
-// pairs. Each lane walks its run serially and owns a column of the histogram, which is all zeros before.
+// pairs. Each lane walks its own run and has a column of the histogram for itself, which must be all zeros before.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "primitives/sort_pass.glsl"

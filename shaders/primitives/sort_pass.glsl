@@ -1,4 +1,4 @@
-// What both halves of a radix sort's pass share.
+// What the two halves of a pass of the radix sort have in common.
 #include "lib/invocation.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -7,7 +7,7 @@ const uint unroll = 4;  // pairs loaded together
 layout(scalar, binding = 0) readonly buffer Pairs { uvec2 pairs[]; };  // key, value
 layout(scalar, push_constant) uniform Push {
   uint count, lanes, run;  // pairs, and how many of them a lane walks; multiples of `unroll`
-  uint first, steps;       // of its run a lane walks this part in this dispatch: loops must stay short
+  uint first, steps;       // the part of each lane's run that this dispatch walks: long loops are split (lavapipe 22.3)
   uint shift, mask;        // of the digit
 };
 
@@ -15,5 +15,6 @@ layout(scalar, push_constant) uniform Push {
 uint part_begin(uint lane) { return lane * run + first; }
 uint part_end(uint lane) { return min(lane * run + min(first + steps, run), count); }
 
-/// Where the histogram counts this key in the column of `lane`: digit-major, so that a plain scan gives the places.
+/// The element of the histogram that counts this key's digit for `lane`. All lanes of one digit follow one another, so
+/// that a scan of the histogram gives the places of pairs.
 uint sort_slot(uint key, uint lane) { return ((key >> shift) & mask) * lanes + lane; }

@@ -1,6 +1,7 @@
 #version 460
-// Second half of a pass of the stable radix sort (section 3.2.3): each lane walks its run serially and puts every pair
-// where the scanned histogram says that the next pair with its digit goes. So equal digits keep their order.
+// Second half of a pass of the stable radix sort (section 3.2.3). Each lane walks its run in order and puts every pair
+// at the place that the scanned histogram has for the lane's next pair with this digit. So equal digits keep their
+// order.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "primitives/sort_pass.glsl"
