@@ -1,8 +1,8 @@
 #version 460
-// Where nodes begin when they are cut (--nodes cut): where their coherence ends. A lane walks a run of children of one
-// segment and begins a node where the last one is full, and where the direction's octant changes, or the direction or
-// the origin is too far from those of the node's first ray. These are the head flags of section 3.2.3 for nodes instead
-// of chunks. A child that is a node itself is taken for its first ray.
+// Where cut nodes begin (--nodes cut). A lane walks a run of children of one segment. It begins a new node where the
+// one before is full, where the octant of directions changes, and where direction or origin is too far from that of the
+// node's first ray. These are the head flags of section 3.2.3, for nodes instead of chunks. A child that is a node is
+// judged by its first ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 16) in;
@@ -15,8 +15,8 @@ layout(push_constant, scalar) uniform Push {
   uint children;
   uint arity;
   uint rays_below;  // 1: children are rays themselves (level 1)
-  float chord;      // of the largest angle to the node's first ray
-  float reach;      // largest distance from its origin, metres
+  float chord;      // on the unit sphere: greatest distance from the direction of the node's first ray
+  float reach;      // greatest distance from that ray's origin, metres
 };
 layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };                  // in sorted order
 layout(binding = 1, scalar) readonly buffer RaysBelow { uvec2 rays_of_child[]; };  // level 1: not read

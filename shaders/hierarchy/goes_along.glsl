@@ -5,7 +5,7 @@
 #include "shared/ray.h"
 
 /// Whether a cut node that begins with `first` may hold `ray`: their directions are in one octant and no farther apart
-/// than `chord`, their origins no farther than `reach` (metres).
+/// than `chord` on the unit sphere, and their origins no farther than `reach` (metres).
 bool goes_along(Ray first, Ray ray, float chord, float reach) {
   bvec3 same_side = equal(lessThan(first.direction.xyz, vec3(0.0)), lessThan(ray.direction.xyz, vec3(0.0)));
   precise vec3 turned = ray.direction.xyz - first.direction.xyz;

@@ -1,6 +1,6 @@
 #version 460
-// Groups every `arity` children of one segment into a node: who is whose parent, where a node's children and its
-// rays begin (section 3.2.4). Nodes never cross the ends of a segment.
+// Makes a node of every `arity` children of a segment: writes each child's parent, and where each node's children and
+// rays begin and end (section 3.2.4). Nodes never cross the ends of a segment.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

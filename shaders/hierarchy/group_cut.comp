@@ -1,6 +1,5 @@
 #version 460
-// Groups the children between two heads into a node: who is whose parent, where a node's children and its rays begin
-// (section 3.2.4). The cut counterpart of group.comp.
+// As group.comp, for cut nodes: makes a node of the children from one head to the next (section 3.2.4).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,11 +1,12 @@
-// What the kernels that fill a level share: the bound, bindings of the level and of the sorted rays, and the store.
+// What all kernels that fill a level have in common: the bound, the bindings of the level and of the sorted rays, and
+// the function that stores a node.
 
 layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 #include "shared/node.h"
 #include "shared/ray.h"
 
-/// Test-only mutation: cones too narrow by this factor turn the property tests red.
+/// Test-only mutation: cones are narrower by this factor, which tests must notice.
 layout(constant_id = 0) const float cone_scale = 1.0;
 
 layout(push_constant, scalar) uniform Push { uint node_count; };

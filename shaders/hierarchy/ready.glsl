@@ -1,6 +1,7 @@
-// What tests need of a node, worked out once where many follow: the walk through the object hierarchy (lavapipe moves
-// nothing out of loops). A bound may bring READY and its three functions of its own, as "slab" does; here they are for
-// all others. No ray of the node is where a test says so before `enter`, and none matters beyond `reach` (metres).
+// A node prepared for many tests, as in a walk through the object hierarchy: what all tests need is computed once,
+// because lavapipe moves nothing out of loops. A bound may bring READY and its three functions, as "slab" does; those
+// for all others are here. A test's `enter`: none of the node's rays is in the box before that distance. `reach`:
+// beyond that distance none needs to be tested. Both in metres.
 
 #ifndef READY
 struct ReadyBound {

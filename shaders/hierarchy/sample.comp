@@ -1,6 +1,7 @@
 #version 460
-// Into how many nodes some of a segment's rays would be cut in the order of their creation: how coherent they are
-// before anything is paid for sorting them. Lane: a run of rays as in cut.comp, every so many-th.
+// Counts into how many nodes a sample of a segment's rays would be cut in creation order. That tells how coherent they
+// are before they are sorted, which costs time. Lane: a run of rays as in cut.comp; only every `stride`-th run is
+// taken.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 16) in;
@@ -12,8 +13,8 @@ layout(push_constant, scalar) uniform Push {
   uint first_ray;  // of the segment
   uint ray_count;
   uint arity;
-  uint stride;  // runs
-  uint slot;    // of the sum
+  uint stride;  // in runs
+  uint slot;    // of the segment's sum
   float chord;  // as in cut.comp
   float reach;
 };

@@ -1,4 +1,4 @@
-// Where a ray's tests go: to its pixel, as 64-bit fixed point (shared/account.h). The includer binds `slots`, `pixels`,
+// Adds tests of rays to their pixels, as 64-bit fixed point (shared/account.h). The includer binds `slots`, `pixels`,
 // `account` and `tests`.
 
 #include "shared/account.h"
@@ -13,7 +13,7 @@ void add_to_pixel(uint pixel, uvec2 amount) {
   if (high > 0u) atomicAdd(tests[pixel].y, high);
 }
 
-/// A sum of two words and one.
+/// A sum of two words plus one word.
 uvec2 plus(uvec2 sum, uint amount) {
   uint low = sum.x + amount;
   return uvec2(low, sum.y + (low < sum.x ? 1u : 0u));
@@ -21,8 +21,8 @@ uvec2 plus(uvec2 sum, uint amount) {
 
 uvec2 fixed_point(uint whole) { return uvec2(whole << tests_fraction_bits, whole >> (32u - tests_fraction_bits)); }
 
-/// What the `rank`-th of `count` rays takes of a node's tests. The shares of all of them differ by one unit at most and
-/// add up to `whole` exactly. Long division, ten bits at a time: `count` is below 2^22 (max_batch_rays).
+/// The share of the `rank`-th of `count` rays in a node's tests. Shares differ by one unit at most, and their sum is
+/// exactly `whole`. A long division, ten bits at a time, as `count` is below 2^22 (max_batch_rays).
 uvec2 share_of(uint whole, uint count, uint rank) {
   uint rest = (whole % count) << 10;
   uint upper = rest / count;

@@ -1,5 +1,5 @@
 #version 460
-// What the nodes of one level and segment tested, shared equally among their rays and added to these rays' pixels
+// Shares the tests of each node of a level and segment equally among its rays, and adds them to these rays' pixels
 // (layers Tests.*). Lane: a ray, in sorted order, which looks up its node.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +23,7 @@ layout(binding = 4, scalar) readonly buffer Account { uint account[]; };
 layout(binding = 5, scalar) buffer Tests { uvec2 tests[]; };
 #include "hierarchy/share.glsl"
 
-/// The segment's last node that begins at the position or before it.
+/// The node that holds this position: the segment's last one that does not begin after it.
 uint node_of(uint position) {
   uint low = first_node, high = first_node + nodes;
   while (low + 1u < high) {

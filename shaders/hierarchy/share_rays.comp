@@ -1,5 +1,5 @@
 #version 460
-// What rays tested themselves, added to their pixels (layers Tests.*). Lane: a ray, in creation order.
+// Adds the tests of rays themselves to their pixels (layers Tests.*). Lane: a ray, in creation order.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

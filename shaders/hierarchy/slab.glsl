@@ -1,4 +1,4 @@
-// Ranges of origins, ends and directions, for the bounds that are made of them. Minima and maxima are exact: merged and
+// Ranges of origins, ends and directions, for bounds made of them. Minima and maxima are exact, so that merged and
 // fitted bounds are the same. The includer defines CRSH_SORTED_RAYS where it provides `Ray sorted_ray(uint i)`.
 
 #include "lib/exact.glsl"
@@ -12,14 +12,14 @@ layout(constant_id = 9) const uint bound_bytes = 96;
 layout(constant_id = 10) const uint bound_merge_fits = 1;  // merging loses nothing
 
 const float slab_wide = 3e38;
-/// Ends of rays that are longer do not matter, and would overflow.
+/// Longer rays count as endless: their ends would overflow, and make no difference.
 const float slab_longest = 1e30;
-/// What lib/triangle.glsl's box is padded by, and half as much again for the rounding of both paddings.
+/// The pad of lib/triangle.glsl's box, and half as much again for the rounding of both pads.
 const float slab_pad = 1.5 * bound_pad;
-/// Interval ends are four rounded operations away from those of one ray.
+/// A factor for the ends of intervals: they and a single ray's differ by the rounding of four operations.
 const float slab_slack = 1.0 + 8.0 * bound_pad;
 
-/// Where the ray ends, and how far beyond it rounding may put a hit; anywhere for a ray without end.
+/// The box around the ray's end in which rounding may put its last hit; everything for a ray without end.
 void slab_ends(Ray ray, out vec3 low, out vec3 high) {
   precise vec3 end = ray.origin.xyz + ray.direction.xyz * ray.origin.w;
   precise vec3 pad = vec3(slab_pad * largest(end) + 4.0 * bound_pad * ray.origin.w);
@@ -48,7 +48,7 @@ Slab bound_merge(Slab a, Slab b) {
 Slab bound_merge_ray(Slab node, Ray ray) { return bound_merge(node, bound_of_ray(ray)); }
 
 #ifdef CRSH_SORTED_RAYS
-/// Of rays first .. last-1.
+/// The ranges of rays first .. last-1.
 Slab bound_fit(uint first, uint last) {
   Slab node = bound_of_ray(sorted_ray(first));
   for (uint i = first + 1u; i < last; ++i) node = bound_merge_ray(node, sorted_ray(i));
@@ -56,14 +56,14 @@ Slab bound_fit(uint first, uint last) {
 }
 #endif
 
-/// Test-only mutation: every range of directions narrower by a factor.
+/// Test-only mutation: every range of directions is narrower by a factor.
 Slab bound_narrowed(Slab node, float scale) {
   vec4 middle = 0.5 * (node.direction_low + node.direction_high), half_range = node.direction_high - middle;
   return Slab(node.origin_low, node.origin_high, middle - half_range * scale, middle + half_range * scale, node.end_low,
               node.end_high);
 }
 
-/// Tangent of the half-angle (3e38: a right angle) and radius of the ranges, for the statistics.
+/// For the statistics: tangent of the half-angle (3e38: a right angle) and radius of the ranges.
 vec2 bound_spread(Slab node) {
   float radius = 0.5 * exact_length(node.origin_high.xyz - node.origin_low.xyz);
   float sine = min(0.5 * exact_length(node.direction_high.xyz - node.direction_low.xyz), 1.0);
@@ -98,9 +98,10 @@ bool slab_passes(Slab node, vec3 low, vec3 high) {
          all(greaterThanEqual(max(node.origin_high.xyz, node.end_high.xyz), low));
 }
 
-/// Whether a ray of the node can be within low .. high: the slab test in interval arithmetic, conservative for every
-/// ray's own. Along an axis rays come in between (low - origin) / direction at the quickest and leave at the slowest;
-/// where some go forward and some backward, or stay, they need not leave at all. No ray comes in before `enter`.
+/// Whether a ray of the node can be within low .. high: the slab test in interval arithmetic, which rejects no ray that
+/// its own slab test would accept. On an axis the earliest ray enters at the least (low - origin) / direction, and the
+/// latest leaves at the greatest. Where some rays go forward and others backward, or stand still, they may never leave.
+/// No ray enters before `enter`.
 bool bound_may_hit_box(Slab node, Interval interval, vec3 low, vec3 high, bool use_interval, out float enter) {
   vec3 inverse_low = safe_inverse(node.direction_low.xyz), inverse_high = safe_inverse(node.direction_high.xyz);
   bvec3 forward = greaterThanEqual(node.direction_high.xyz, vec3(0.0));
@@ -130,7 +131,7 @@ bool bound_may_hit_sphere(Slab node, Interval interval, vec4 sphere, bool use_in
   return bound_may_hit_box(node, interval, padded_low, padded_high, use_interval, enter);
 }
 
-/// A triangle's own padded box; its padding by the origins stands in the node.
+/// A triangle's own box, padded for its corners; the pad for the origins is in the node already.
 void slab_box_of(vec3 a, vec3 b, vec3 c, out vec3 low, out vec3 high) {
   precise vec3 pad = vec3(slab_pad * max(max(largest(a), largest(b)), largest(c)));
   precise vec3 padded_low = min(min(a, b), c) - pad;
@@ -146,18 +147,18 @@ bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3
   return bound_may_hit_box(node, interval, low, high, use_interval, enter);
 }
 
-/// What tests against boxes need of a node, worked out once where many follow: the object hierarchy's walk. Along an
-/// axis rays come into a box at its near plane, from the origin that is nearest to it and as the quickest of them, and
-/// leave at the far one as the slowest. Where some go forward and some backward, they may come in at once and need not
-/// leave.
+/// A node prepared for many tests against boxes, as in a walk through the object hierarchy. On an axis rays enter a box
+/// at its near plane: the earliest from the nearest origin, with the fastest direction. They leave at its far plane:
+/// the latest from the farthest origin, with the slowest direction. Where some go forward and others backward, they may
+/// enter at once and never leave.
 struct ReadySlab {
   bvec3 near_is_low;
   vec3 near_origin;
   vec3 near_inverse;
   vec3 far_origin;
   vec3 far_inverse;
-  vec3 leave_late;  // 3e38 where rays need not leave
-  vec3 low;         // of all that lies between origins and ends
+  vec3 leave_late;  // 3e38 where rays may never leave
+  vec3 low;         // of the box that holds all rays from origin to end
   vec3 high;
 };
 

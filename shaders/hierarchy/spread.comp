@@ -1,6 +1,6 @@
 #version 460
 // variants: hierarchy/bounds
-// How wide the nodes of a level are: tangent of the half-angle and radius, for the statistics.
+// For the statistics, how wide the nodes of a level are: tangent of the half-angle, and radius.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

@@ -1,17 +1,17 @@
-// Node bound "slab-edges": the ranges of "slab", and against a triangle also the sides of its edges that the rays pass
-// on. So it tells apart the two halves of a wall, which have one box.
+// Node bound "slab-edges": the ranges of "slab", and against a triangle also the sides of its edges on which the rays
+// may pass. So it can tell the two triangles of a wall apart, which have the same box.
 //
-// A ray from o along d passes the edge from p to q on the side that the sign of f = d · ((p - o) × (q - o)) tells, and
-// hits the triangle only where its three f have the sign of d · n (they sum up to it, n the triangle's normal). Each is
-// linear in o and in d: over the node they range about their values for the middle of both.
+// A ray from o along d passes the edge from p to q on the side that the sign of f = d · ((p - o) × (q - o)) tells. It
+// hits the triangle only where the f of all three edges have the sign of d · n, with n the triangle's normal; their sum
+// is d · n. Each f is linear in o and in d. So over a node it lies in a range around its value for the middle of both.
 
 #include "hierarchy/slab.glsl"
 
-/// Of |p - o| |q - o|: what the float triangle test (lib/triangle.glsl) may accept beyond an edge, in f, and what the
-/// arithmetic here may lose; both are below 2^-20.
+/// How far f may be off, as a share of |p - o| |q - o|: the float triangle test (lib/triangle.glsl) may accept rays
+/// beyond an edge, and the arithmetic here rounds; each is below 2^-20.
 const float edge_slack = 3.814697265625e-6;
 
-/// The middle of the node's origins and directions, and half of their ranges.
+/// The middle of the ranges of origins and directions, and half of their lengths.
 struct Middle {
   vec3 origin;
   vec3 origin_reach;
@@ -30,7 +30,7 @@ Middle middle_of(Slab node) {
 
 float size_of(vec3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }
 
-/// Range of f over the node, from the least to the greatest; p and q are relative to the middle of the origins.
+/// The least and the greatest f of the node's rays; p and q are relative to the middle of the origins.
 vec2 side_of_edge(Middle node, vec3 p, vec3 q) {
   vec3 across = cross(p, q);
   float middle = dot(node.direction, across);

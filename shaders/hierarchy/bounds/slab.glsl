@@ -1,6 +1,7 @@
-// Node bound "slab": the ranges of its rays' origins, ends and directions, axis by axis. Against a box it is the ray's
-// own slab test in interval arithmetic; against a triangle, the test of the triangle's box. Where a range of directions
-// holds zero (its rays do not share an octant), that axis says little: cut nodes (--nodes cut) have none such.
+// Node bound "slab": for each axis the ranges of its rays' origins, ends and directions. A test against a box is a
+// single ray's slab test in interval arithmetic; one against a triangle tests the triangle's box. An axis with a range
+// of directions that includes zero rejects little. Cut nodes (--nodes cut) have no such axis, as their directions share
+// an octant.
 
 #include "hierarchy/slab.glsl"
 
