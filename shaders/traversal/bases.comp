@@ -1,5 +1,5 @@
 #version 460
-// First pair of every node of the top level, from the scanned counts of its blocks; and one past the last.
+// The first pair of every node of the top level, from the scanned counts of its blocks, and one past the last pair.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

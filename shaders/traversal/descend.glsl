@@ -1,6 +1,6 @@
-// Where the candidates of a child lie: the list of its parent, and the child's own words of the masks.
+// Where the candidates of a child are: its parent's list of pairs, and the child's own words of the masks.
 
-/// The children at hand and their parents' lists; the same for testing and for emitting.
+/// A range of children and their parents' lists, for the kernel that tests and the one that emits pairs.
 struct Portion {
   uint first_child;  // of the level below
   uint child_count;
@@ -17,7 +17,8 @@ struct List {
   uint first_mask;  // of this child: a word 32 pairs
 };
 
-/// Words are laid out without another scan: a parent whose list begins at b owns (b / 32 + its place) × arity onwards.
+/// Words have their places without another scan: those of a parent whose list begins at b begin at (b / 32 + the
+/// parent's place) × arity.
 List list_of(Portion portion, uint begin, uint end, uint parent_place, uint child_place) {
   uint words = (end - begin + 31u) / 32u;
   return List(begin, end, (begin / 32u + parent_place) * portion.arity + child_place * words);

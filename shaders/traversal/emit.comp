@@ -1,5 +1,5 @@
 #version 460
-// The set bits of the children's masks as trimmed pairs (child node, triangle), node-major (section 3.2.5).
+// Makes pairs (child node, triangle) of the set bits of the children's masks, node by node (section 3.2.5: trimming).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,12 +1,12 @@
 #version 460
 // variants: hierarchy/bounds
-// Groups, the nodes of level 2, through the top of the object hierarchy: depth first, the nearer child first, down to
-// small subtrees, which are the group's frontier (shared/walk.h). Where a frontier has no more room or a walk gets too
-// long, what was left for later becomes frontier as it is.
+// Walks groups, the nodes of level 2, through the top of the object hierarchy: depth first, the nearer child first,
+// down to small subtrees, which make up the group's frontier (shared/walk.h). Where a frontier is full or a walk gets
+// too long, the subtrees that are not visited yet are put into the frontier as they are.
 //
-// Lane: a group. A cluster of lanes, whose groups are neighbours, goes wherever one of them must; what the others do
-// not need they do not test. So a box is loaded once for all of them, by one lane or another. In the "-alone" build
-// every lane goes its own way.
+// Lane: a group. A cluster of lanes, whose groups are neighbours, walks together: it visits what any of them needs, and
+// a lane tests only what it needs itself. So one lane loads each box, for all of them. In the "-alone" build every lane
+// walks by itself.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -42,19 +42,19 @@ layout(binding = 5, scalar) buffer Counters { uvec2 counters[]; };
 #define ACCOUNT_BINDING 6
 #include "lib/account.glsl"
 
-/// Most inner nodes that a cluster visits: lavapipe 22.3 ends loops silently.
+/// Most inner nodes that a cluster visits: lavapipe 22.3 ends loops silently after 65,535 turns.
 const uint most_visits = 1024u;
 const uint most_entries = frontier_room - 1u;
 
-/// A child slot that some lanes of the cluster are to visit.
+/// A child slot that one or more lanes of the cluster are to visit.
 struct Entry {
-  uint slot;    // `none`: no lane is
+  uint slot;    // `none`: no lane has anything to visit
   bool small;   // a small subtree
   bool mine;    // this lane's group may have rays in its box
-  float enter;  // none of them before
+  float enter;  // before this distance none of its rays is in the box
 };
 
-/// In the stack, beside the slot.
+/// Flags that an entry of the stack has beside the slot.
 const uint is_small = 1u << 31, is_mine = 1u << 30;
 uvec2 stack[most_entries];
 
@@ -82,7 +82,7 @@ Entry unpacked(uvec2 word) {
        low1 = FROM_LANE(own_, first_of_cluster() + 2u), high1 = FROM_LANE(own_, first_of_cluster() + 3u);
 #endif
 
-/// `wanted`: this lane is in the parent's box.
+/// The entry of a child's box, tested where `wanted`: where this lane's group may have rays in the parent's box.
 Entry tested(READY group, float reach, bool wanted, uint slot, vec4 low, vec4 high) {
   float enter;
   bool hit = wanted && ready_may_hit_box(group, reach, low.xyz, high.xyz, enter);

@@ -1,6 +1,7 @@
 #version 460
 // variants: hierarchy/bounds
-// Top level against the objects' bounding spheres (sections 3.2.1 and 3.2.5): a bit an object, a word 32 of them.
+// Tests the nodes of the top level against the objects' bounding spheres (sections 3.2.1 and 3.2.5). The result is a
+// bit an object, 32 in a word.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require

@@ -1,8 +1,8 @@
 #version 460
 // variants: hierarchy/bounds
-// Top level against the triangles (section 3.2.5, equation 9): a lane takes one node and one block of at most
-// 32 triangles of one object, and skips the block where the node misses the object. Neighbouring lanes take
-// neighbouring nodes, so that they read the same triangles.
+// Tests the nodes of the top level against triangles (section 3.2.5, equation 9). A lane takes one node and one block
+// of at most 32 triangles of an object, and skips the block where the node misses the object. Neighbouring lanes have
+// neighbouring nodes and the same block, so that they read the same triangles.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -17,7 +17,7 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint first_node;
   uint node_count;
-  uint padded_nodes;  // node_count rounded up to whole subgroups, which so stay with one block
+  uint padded_nodes;  // node_count rounded up to whole subgroups, so that no subgroup has two blocks
   uint first_block;
   uint block_count;
   uint words;  // of mesh_hits a node; 0: no mesh culling

@@ -1,5 +1,5 @@
-// What a triangle is to the node bound at hand: its smallest sphere (section 3.2.5), or its corners. The includer has
-// declared the bindings TriangleSpheres and CornersA to CornersC, and includes the bound before.
+// What the bound in use tests of a triangle: its smallest sphere (section 3.2.5), or its corners. Before this file the
+// includer includes the bound and declares the bindings TriangleSpheres and CornersA to CornersC.
 
 #ifdef BOUND_TESTS_CORNERS
 struct Volume {
