@@ -1,6 +1,6 @@
 #version 460
-// Ray decompression (section 3.2.3, Figure 6), last step: fills the sorted rays from every chunk's start on. Each lane
-// fills a run of places, however few or many chunks these come from, so that one huge chunk is no long loop.
+// Ray decompression (section 3.2.3, Figure 6), last step: writes the rays of each chunk from the chunk's start on. A
+// lane fills a fixed number of places, from as many chunks as these span, so that one huge chunk makes no long loop.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

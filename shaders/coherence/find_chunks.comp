@@ -1,5 +1,5 @@
 #version 460
-// Which chunk (section 3.2.3, Figure 5) begins at each of some rays, those where segments begin.
+// Finds the chunk (section 3.2.3, Figure 5) that begins at each of the given rays, the first ones of segments.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

@@ -1,6 +1,6 @@
 #version 460
-// Ray compression (section 3.2.3, Figure 5), first step: flags the rays whose key differs from their predecessor's.
-// An invocation a quad of rays, for the sake of packed stores; the first ray of all is a head.
+// Ray compression (section 3.2.3, Figure 5), first step: flags the rays whose key differs from that of the ray before;
+// the very first ray is flagged, too. Lane: four rays, so that four flags are stored at once.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

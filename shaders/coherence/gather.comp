@@ -1,5 +1,6 @@
 #version 460
-// The rays in sorted order (section 3.2.3: the sorted ray array), so that the stages after read neighbours in a row.
+// Copies the rays into sorted order (section 3.2.3: the sorted ray array), so that later stages read them one after
+// another.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

@@ -2,7 +2,8 @@
 
 layout(scalar, binding = 0) readonly buffer Rising { uint rising[]; };
 
-/// Index of the last of the first `count` elements that is not above `value`; the first element must not be.
+/// Of the first `count` elements the index of the last that is not above `value`. The first element must not be above
+/// it.
 uint last_not_above(uint value, uint count) {
   uint low = 0, high = count;
   while (low + 1 < high) {

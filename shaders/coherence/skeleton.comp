@@ -1,6 +1,6 @@
 #version 460
 // Ray decompression (section 3.2.3, Figure 6), first step: the skeleton array, which holds the size of every chunk in
-// sorted order. The bases come along, so that the last step reads both in a row.
+// sorted order. Bases are put into the same order, so that the last step reads both one after another.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"

@@ -1,6 +1,6 @@
 #version 460
-// Array trimming (section 3.2.2, Figure 4): every ray that exists moves to the left past the empty slots, to where the
-// inclusive scan of the head flags says, and remembers its slot.
+// Array trimming (section 3.2.2, Figure 4): copies the rays that exist, without the empty slots between them, to the
+// places that the inclusive scan of the head flags gives, and writes from which slot each came.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/invocation.glsl"
