@@ -78,7 +78,8 @@ VkDeviceAddress AccelerationStructure::address(const Buffer& buffer) const {
   return vkGetBufferDeviceAddress(device_.handle(), &info);
 }
 
-/// No flag: whether a triangle counts is said where it is met. None is met twice.
+/// Without flags that would skip triangles: whether a triangle counts is decided where a ray hits it. No triangle is
+/// reported twice to a ray.
 VkAccelerationStructureGeometryKHR AccelerationStructure::triangles_of(VkDeviceAddress corners) const {
   VkAccelerationStructureGeometryKHR geometry{.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
   geometry.geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR;

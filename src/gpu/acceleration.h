@@ -10,11 +10,11 @@
 
 namespace crsh::gpu {
 
-/// One bottom level over a list of triangles, and a top level with one instance of it. Only on a device whose info says
-/// ray_queries; others throw no error here, they are never asked.
+/// One bottom level over a list of triangles, and a top level with one instance of it. To be made only on devices whose
+/// info has ray_queries; this is not checked here.
 class AccelerationStructure {
  public:
-  /// Sized for so many triangles, 1 at least. Throws OutOfMemory.
+  /// Has room for so many triangles, 1 at least. Throws OutOfMemory.
   AccelerationStructure(Device& device, uint32_t triangles);
   ~AccelerationStructure();
   AccelerationStructure(const AccelerationStructure&) = delete;
@@ -24,7 +24,7 @@ class AccelerationStructure {
   [[nodiscard]] VkAccelerationStructureKHR handle() const { return top_.structure; }
 
   // For Recorder only.
-  /// Builds it over `corners`, three vec4 a triangle. `barrier` separates what must not overlap.
+  /// Builds it over `corners`, three vec4 a triangle. Calls `barrier` between steps that must not overlap.
   template <class Barrier>
   void record(VkCommandBuffer commands, const Buffer& corners, const Barrier& barrier) {
     record_bottom(commands, corners);

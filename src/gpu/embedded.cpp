@@ -12,7 +12,7 @@ namespace crsh::gpu {
 
 namespace {
 
-/// What stands in the place of embedded files. Node-based: spans into it stay valid.
+/// Files that are used in place of embedded ones. The map never moves its values, so that spans into them stay valid.
 struct Replaced {
   std::mutex mutex;
   std::map<std::string, std::vector<uint32_t>, std::less<>> files;

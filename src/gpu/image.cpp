@@ -49,7 +49,7 @@ VkFormat vulkan_format(Format format) {
   return VK_FORMAT_UNDEFINED;
 }
 
-// By way of the default constructor, so that the destructor runs when a later step throws.
+// Calls the default constructor first, so that the destructor runs where a later step throws.
 Image::Image(Device& device, uint32_t width, uint32_t height, Format format, std::string_view name) : Image() {
   CRSH_ASSERT(width && height && width <= device.limits().max_image_size && height <= device.limits().max_image_size,
               "image " + std::string(name) + " is empty or larger than the device allows");

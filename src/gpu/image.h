@@ -12,7 +12,7 @@ namespace crsh::gpu {
 
 enum class Format { rgba32f, r32u, depth32f };
 
-/// The same in Vulkan's words.
+/// The format's name in Vulkan.
 [[nodiscard]] VkFormat vulkan_format(Format format);
 
 /// Move-only. Always in layout GENERAL. Colour formats can be attachments, storage images and transfer sources; depth

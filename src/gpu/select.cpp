@@ -1,4 +1,4 @@
-// Which device is meant: by index, UUID or part of the name; a real GPU before a software device.
+// Chooses the device: by index, UUID or part of the name; else a real GPU before a software device.
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,8 @@ std::string list(const std::vector<DeviceInfo>& devices) {
   return text;
 }
 
-/// The device whose index the selector spells, if any: an index comes before a name that holds the same digits.
+/// The device with the index that the selector is, if any. Indices are tried before names, which may hold the same
+/// digits.
 const DeviceInfo* by_index(const std::vector<DeviceInfo>& devices, const std::string& selector) {
   for (const DeviceInfo& device : devices)
     if (std::to_string(device.index) == selector) return &device;

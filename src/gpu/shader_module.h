@@ -1,5 +1,5 @@
 #pragma once
-// A VkShaderModule for as long as a pipeline is made of it.
+// A VkShaderModule, which is needed only while a pipeline is made of it.
 
 #include <vulkan/vulkan.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Copies at once, through a small staging buffer.
+// Copies between host and device, done at once, through a small staging buffer.
 
 #include <vulkan/vulkan.h>
 
@@ -10,14 +10,14 @@
 
 namespace crsh::gpu {
 
-/// What each Device uploads and downloads with.
+/// Uploads and downloads of a Device, which has one of these.
 class Transfer {
  public:
   explicit Transfer(Device& device) : device_(device), submission_(device) {}
 
   void upload(VkBuffer target, uint64_t offset, const void* data, uint64_t bytes);
   void download(VkBuffer source, uint64_t offset, void* data, uint64_t bytes);
-  /// From UNDEFINED to GENERAL, the layout in which all images stay.
+  /// Brings an image from layout UNDEFINED to GENERAL, in which all images stay.
   void make_general(VkImage image, VkImageAspectFlags aspect);
 
  private:
@@ -27,7 +27,7 @@ class Transfer {
 
   Device& device_;
   Submission submission_;
-  Buffer staging_;  ///< made at first use
+  Buffer staging_;  ///< made when it is used first
 };
 
 }  // namespace crsh::gpu

@@ -8,7 +8,7 @@
 namespace crsh::gpu {
 namespace {
 
-constexpr uint32_t most_sets = 8;  // the fonts' and some to spare
+constexpr uint32_t most_sets = 8;  // one for the fonts, and some to spare
 
 void check_backend(VkResult result) { check(result, "drawing the window"); }
 
@@ -20,10 +20,10 @@ void start(Device& device, VkDescriptorPool pool, VkRenderPass pass) {
   info.QueueFamily = device.queue_family();
   info.Queue = device.queue();
   info.DescriptorPool = pool;
-  info.MinImageCount = info.ImageCount = 2;  // as often as its vertices are buffered
+  info.MinImageCount = info.ImageCount = 2;  // how many buffers of vertices it keeps
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   info.CheckVkResultFn = check_backend;
-#if IMGUI_VERSION_NUM >= 19030  // the pass has moved
+#if IMGUI_VERSION_NUM >= 19030  // where the render pass is a member of the info
   info.RenderPass = pass;
   ImGui_ImplVulkan_Init(&info);
 #else
@@ -35,7 +35,7 @@ void start(Device& device, VkDescriptorPool pool, VkRenderPass pass) {
 
 ImguiBackend::ImguiBackend(Device& device) : device_(device) {}
 
-// By way of the private constructor, so that the destructor runs when a later step throws.
+// Calls the private constructor first, so that the destructor runs where a later step throws.
 ImguiBackend::ImguiBackend(Device& device, const Swapchain& swapchain) : ImguiBackend(device) {
   make_pool();
   start(device, pool_, swapchain.render_pass());
@@ -60,7 +60,7 @@ void ImguiBackend::make_pool() {
 }
 
 void ImguiBackend::upload_fonts() {
-#if IMGUI_VERSION_NUM >= 19000  // submits by itself
+#if IMGUI_VERSION_NUM >= 19000  // which submits by itself
   const std::lock_guard lock(device_.queue_mutex());
   ImGui_ImplVulkan_CreateFontsTexture();
 #else

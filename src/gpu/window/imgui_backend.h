@@ -1,6 +1,6 @@
 #pragma once
-// Dear ImGui's Vulkan backend, as Debian packages it: the one place that knows how 1.86 and 1.90 differ in it. Both
-// know render passes only, and 1.86 no pictures: these are the swapchain's.
+// Dear ImGui's Vulkan backend, as Debian packages it. All differences between 1.86 and 1.90 are handled here. Both
+// versions need a render pass; 1.86 cannot show pictures, so the swapchain shows them.
 
 #include <vulkan/vulkan.h>
 
@@ -8,18 +8,18 @@
 
 namespace crsh::gpu {
 
-/// Draws Dear ImGui's current context. One at a time.
+/// Draws Dear ImGui's current context. There may be only one at a time.
 class ImguiBackend {
  public:
-  /// The context's fonts are there. Uploads them.
+  /// Uploads the fonts, which the context must have by now.
   ImguiBackend(Device& device, const Swapchain& swapchain);
   ~ImguiBackend();
   ImguiBackend(const ImguiBackend&) = delete;
   ImguiBackend& operator=(const ImguiBackend&) = delete;
 
-  /// Before ImGui::NewFrame().
+  /// To be called before ImGui::NewFrame().
   void begin_frame();
-  /// What ImGui::Render() left, within the swapchain's render pass.
+  /// Records what ImGui::Render() has made, within the swapchain's render pass.
   void record(VkCommandBuffer commands) const;
 
  private:

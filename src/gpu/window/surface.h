@@ -1,5 +1,5 @@
 #pragma once
-// What a window offers to present to.
+// A window's surface, to which images are presented.
 
 #include <vulkan/vulkan.h>
 
@@ -13,7 +13,8 @@ namespace crsh::gpu {
 /// Owns the VkSurfaceKHR that the window system made for the instance of `device`.
 class Surface {
  public:
-  /// `make(instance, surface)` is the window system's. Throws UserError where the device cannot show windows.
+  /// Calls `make(instance, surface)`, which the window system provides. Throws UserError where the device cannot show
+  /// windows.
   Surface(Device& device, const std::function<VkResult(VkInstance, VkSurfaceKHR*)>& make);
   ~Surface();
   Surface(const Surface&) = delete;
@@ -21,7 +22,7 @@ class Surface {
 
   [[nodiscard]] VkSurfaceKHR handle() const { return surface_; }
   [[nodiscard]] VkSurfaceCapabilitiesKHR capabilities() const;
-  /// Eight bits a channel; the values that are written are taken for sRGB.
+  /// A format of eight bits a channel, in which written values count as sRGB.
   [[nodiscard]] VkSurfaceFormatKHR format() const;
 
  private:

@@ -14,24 +14,24 @@
 
 namespace crsh::gpu {
 
-/// The window as it was presented: RGB bytes, rows from the top.
+/// What the window showed: RGB bytes, rows from the top.
 struct Screenshot {
   uint32_t width = 0, height = 0;
   std::vector<uint8_t> rgb;
 };
 
-/// Pixels of the window, right and bottom excluded.
+/// A rectangle of pixels; `right` and `bottom` lie outside.
 struct Area {
   int32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// A part of a texture, in its pixels, and where in the window it is shown, scaled.
+/// A part of a texture, and the part of the window to which it is scaled, both in pixels.
 struct ShownTexture {
   const Texture* texture = nullptr;
   Area from, to;
 };
 
-/// Everything that a frame of the window shows: textures on dark grey, and what `record` draws above them, within the
+/// All that a frame of the window shows: textures on dark grey, and above them what `record` draws within the
 /// swapchain's render pass.
 struct WindowFrame {
   uint32_t width = 0, height = 0;  ///< of the window, pixels
@@ -39,7 +39,7 @@ struct WindowFrame {
   std::function<void(VkCommandBuffer)> record;
 };
 
-/// One frame is under way at a time.
+/// Draws one frame at a time.
 class Swapchain {
  public:
   Swapchain(Device& device, const Surface& surface);
@@ -50,11 +50,10 @@ class Swapchain {
   [[nodiscard]] VkRenderPass render_pass() const { return render_pass_; }
   [[nodiscard]] VkExtent2D size() const { return size_; }
 
-  /// Draws and presents the next image. Makes the images anew where the window has another size. Returns false, with
-  /// nothing drawn, where the window has no pixels (minimised) or changed meanwhile. `screenshot`, if any, gets the
-  /// image.
+  /// Draws and presents the next image. Makes new images where the window's size has changed. Returns false, and draws
+  /// nothing, where the window has no pixels (minimised) or changes meanwhile. `screenshot`, if any, gets the image.
   bool draw(const WindowFrame& window, Screenshot* screenshot = nullptr);
-  /// Until the last frame is drawn: its textures and buffers may go then.
+  /// Waits until the last frame is drawn; then its textures and buffers may be freed.
   void wait();
 
  private:
@@ -62,7 +61,8 @@ class Swapchain {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
     VkFramebuffer framebuffer = VK_NULL_HANDLE;
-    VkSemaphore drawn = VK_NULL_HANDLE;  ///< an image each: presenting one may outlast the next frame's drawing
+    VkSemaphore drawn =
+        VK_NULL_HANDLE;  ///< each image has one: presenting may take until after the next frame is drawn
   };
 
   void make_render_pass();

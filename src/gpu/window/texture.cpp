@@ -13,7 +13,7 @@ Texture::Texture(Device& device, uint32_t width, uint32_t height, int)
       submission_(device),
       staging_(device, uint64_t(width) * height * 4, "staging of a texture", true) {}
 
-// By way of the private constructor, so that the destructor runs when a later step throws.
+// Calls the private constructor first, so that the destructor runs where a later step throws.
 Texture::Texture(Device& device, uint32_t width, uint32_t height) : Texture(device, width, height, 0) {
   VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = VK_IMAGE_TYPE_2D;

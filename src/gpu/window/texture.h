@@ -21,10 +21,10 @@ class Texture {
 
   [[nodiscard]] uint32_t width() const { return width_; }
   [[nodiscard]] uint32_t height() const { return height_; }
-  /// In layout TRANSFER_SRC_OPTIMAL once it is written.
+  /// The image, in layout TRANSFER_SRC_OPTIMAL once it is written.
   [[nodiscard]] VkImage image() const { return image_; }
 
-  /// Writes all pixels; waits. Nothing that shows the texture may be under way.
+  /// Writes all pixels, and waits. No frame that shows the texture may be drawing.
   void write(std::span<const uint8_t> rgba);
 
  private:
