@@ -11,14 +11,15 @@ glm::vec4 unit_rotation(const glm::vec4& v) {
   return length > 0 ? glm::vec4(glm::dvec4(v) / length) : glm::vec4(0, 0, 0, 1);
 }
 
-/// Spherical interpolation the short way round (glTF 2.0, appendix C.4); both are unit.
+/// Spherical interpolation by the shorter way (glTF 2.0, appendix C.4); a and b are unit.
 glm::vec4 slerp(const glm::vec4& a, glm::vec4 b, float t) {
   float cosine = glm::dot(a, b);
   if (cosine < 0) {
     b = -b;
     cosine = -cosine;
   }
-  if (cosine > 0.9995f) return unit_rotation(glm::mix(a, b, t));  // too near for the sine to divide by
+  if (cosine > 0.9995f)
+    return unit_rotation(glm::mix(a, b, t));  // so near that dividing by the sine would lose precision
   const float angle = std::acos(cosine);
   return unit_rotation((a * std::sin((1 - t) * angle) + b * std::sin(t * angle)) / std::sin(angle));
 }

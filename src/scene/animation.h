@@ -5,7 +5,8 @@
 
 namespace crsh::scene {
 
-/// The channel's value at `seconds`, held before the first and after the last key. Rotations are unit, as x, y, z, w.
+/// The channel's value at `seconds`; before the first key that of the first, after the last that of the last. Rotations
+/// are unit quaternions x, y, z, w.
 [[nodiscard]] glm::vec4 sample(const Channel& channel, double seconds);
 
 }  // namespace crsh::scene

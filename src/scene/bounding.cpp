@@ -42,8 +42,8 @@ Stretch stretch_of(const dmat3& a) {
   return {std::sqrt(std::max(least, 0.0)), std::sqrt(std::max(largest, 0.0))};
 }
 
-/// The most that the terms of one coordinate can add up to when a point of the sphere is moved: what float rounding
-/// there is relative to, also where a translation cancels them.
+/// The greatest sum of the terms' magnitudes in any coordinate when a point of the sphere is transformed. Float
+/// rounding is relative to this, even where a translation cancels the terms.
 double largest_terms(const glm::dmat4& m, const Sphere& sphere) {
   double most = 0;
   for (int row = 0; row < 3; ++row) {
@@ -65,7 +65,7 @@ void fill_bounds(Mesh& mesh) {
     const dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]), c(mesh.positions[triangle.z]);
     const ExactSphere own = triangle_sphere(a, b, c);
     similar = std::max(similar, glm::distance(own.centre, centre) + own.radius);
-    // An affine map moves the triangle's sphere within it: only the corners bound where its centre goes.
+    // An affine map moves the centre of the smallest sphere within the triangle: only the corners bound where it goes.
     affine = std::max(
         affine, std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}) + own.radius);
   }
@@ -74,8 +74,8 @@ void fill_bounds(Mesh& mesh) {
 }
 
 Sphere transformed_sphere(const Mesh& mesh, const glm::mat4& transform) {
-  constexpr double similarity = 1e-6;   // relative difference of singular values that rounding explains
-  constexpr double pad = 1.0 / 524288;  // 2^-19: what float transforms and a triangle's own padding come to
+  constexpr double similarity = 1e-6;   // singular values that differ by less, relatively, differ by rounding only
+  constexpr double pad = 1.0 / 524288;  // 2^-19: for the rounding of float transforms and a triangle's own pad
   const glm::dmat4 exact(transform);
   const Stretch stretch = stretch_of(dmat3(exact));
   const bool similar = stretch.largest - stretch.least <= similarity * stretch.largest;

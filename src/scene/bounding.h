@@ -1,5 +1,5 @@
 #pragma once
-// The radii that culling rests on.
+// The radii of meshes that culling uses.
 
 #include "scene/scene.h"
 

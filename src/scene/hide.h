@@ -9,11 +9,11 @@
 
 namespace crsh::scene {
 
-/// Which instances these words mean: an index into Scene::instances, else the name of nodes, with all below them.
-/// Throws UserError for a word that means none.
+/// For each instance, whether one of these words means it. A word is an index into Scene::instances, else the name of
+/// nodes, which means all below them, too. Throws UserError for a word that means none.
 [[nodiscard]] std::vector<bool> hidden_instances(const Scene& scene, std::span<const std::string> words);
 
-/// Takes them out of the scene.
+/// Removes these instances from the scene.
 void hide(Scene& scene, std::span<const std::string> words);
 
 }  // namespace crsh::scene

@@ -26,7 +26,8 @@ void apply(const Channel& channel, double seconds, Transform& transform) {
   }
 }
 
-/// World matrices of all nodes. Double precision: far from the origin a chain of floats would be centimetres off.
+/// World matrices of all nodes, in double precision: far from the origin a chain of float matrices would be off by
+/// centimetres.
 std::vector<glm::dmat4> world_matrices(const std::vector<Node>& nodes, const std::vector<Transform>& transforms) {
   std::vector<glm::dmat4> world(nodes.size());
   for (size_t i = 0; i < nodes.size(); ++i) {

@@ -45,7 +45,7 @@ struct Texture {
   bool nearest = false;
 };
 
-/// Which texture, seen through which set of coordinates.
+/// A texture, and the set of coordinates with which it is used.
 struct TextureUse {
   std::optional<uint32_t> texture;
   uint32_t texcoord = 0;  ///< 0 or 1
@@ -61,19 +61,19 @@ struct Material {
   TextureUse base_colour_texture, metallic_roughness_texture, emissive_texture, transmission_texture;
 };
 
-/// A glTF mesh: all its triangle primitives together. Attributes run parallel to `positions`; every one is filled.
+/// A glTF mesh, with all its triangle primitives in one. Each attribute has as many elements as `positions`.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;  ///< unit, or zero: flat shading (the file has none)
+  std::vector<glm::vec3> normals;  ///< unit; zero, for flat shading, where the file has none
   std::vector<glm::vec2> uv0, uv1;
   std::vector<uint32_t> colours;  ///< RGBA8, 0xFFFFFFFF where the file has none
   std::vector<glm::uvec3> triangles;
   std::vector<uint32_t> materials;  ///< a triangle: index into Scene::materials
   Sphere sphere;                    ///< smallest enclosing sphere of the corners (Gärtner 1999)
-  /// Radii about sphere.centre that also hold every triangle's own smallest sphere: after a similarity, and after
-  /// any affine map (scaled by its largest stretch). Culling uses these, so that it agrees with the definition of a
-  /// hit.
+  /// Radii of spheres around sphere.centre that also hold every triangle's own smallest sphere, after a similarity and
+  /// after any affine map (times its largest stretch). Culling uses these, because a hit lies in its triangle's
+  /// smallest sphere by definition.
   float cover_similar = 0, cover_affine = 0;
 };
 
@@ -87,7 +87,7 @@ struct Node {
   std::string name;
   std::optional<uint32_t> parent;
   Transform transform;
-  std::optional<glm::mat4> matrix;  ///< stands in place of `transform`
+  std::optional<glm::mat4> matrix;  ///< used in place of `transform`
 };
 
 struct Instance {
@@ -125,7 +125,7 @@ struct Channel {
   Path path = Path::translation;
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times;       ///< seconds, rising
-  std::vector<glm::vec4> values;  ///< one a time, or three (in-tangent, value, out-tangent) for cubic_spline
+  std::vector<glm::vec4> values;  ///< one for each time; for cubic_spline three: in-tangent, value, out-tangent
 };
 
 struct Animation {
@@ -134,7 +134,7 @@ struct Animation {
   float duration = 0;  ///< seconds
 };
 
-/// What one frame of the scene looks like: world transforms of instances, lights and cameras, in the order of the
+/// How the scene stands in a frame: world transforms of instances, lights and cameras, in the order of the scene's
 /// lists.
 struct Pose {
   std::vector<glm::mat4> instances, lights, cameras;
@@ -152,14 +152,14 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::vector<Animation> animations;
-  std::vector<std::string> unsupported;  ///< what the file asks for and crsh does not do, a short clause each
+  std::vector<std::string> unsupported;  ///< what the file has that crsh does not do, a short clause each
   std::vector<std::string> scene_names;  ///< of all glTF scenes in the file
 
-  /// Drawn triangles, instances expanded.
+  /// How many triangles are drawn, those of a mesh once for each instance.
   [[nodiscard]] uint64_t triangle_count() const;
-  /// The animation of this index or name; empty: the first, if any. Throws UserError that lists them.
+  /// The animation with this index or name; for an empty text the first, if any. Throws UserError that lists them.
   [[nodiscard]] std::optional<uint32_t> find_animation(const std::string& which) const;
-  /// World transforms at `seconds` of animation `animation` (none: the nodes as they stand).
+  /// World transforms at `seconds` of an animation; without one, those of the nodes as the file has them.
   [[nodiscard]] Pose pose(double seconds, std::optional<uint32_t> animation) const;
   /// World bounds of all drawn geometry in this pose (empty for an empty scene).
   [[nodiscard]] Bounds bounds(const Pose& pose) const;

@@ -13,9 +13,9 @@ using glm::dvec3;
 
 double squared_length(const dvec3& v) { return glm::dot(v, v); }
 
-/// The smallest sphere with up to four points on its boundary, grown and shrunk a point at a time (section 3 of the
-/// paper): each point's direction from the first one is made orthogonal to those before it, and the centre moves along
-/// it.
+/// The smallest sphere with up to four given points on its boundary, to which points are added and from which they are
+/// removed one at a time (section 3 of the paper). Each point's direction from the first one is made orthogonal to
+/// those before it, and the centre moves along that.
 class Boundary {
  public:
   [[nodiscard]] bool full() const { return count_ == 4; }
@@ -24,7 +24,7 @@ class Boundary {
   [[nodiscard]] double squared_radius() const { return squared_radius_; }
   [[nodiscard]] const dvec3& centre() const { return centre_; }
 
-  /// Puts p on the boundary. False where p is, up to rounding, in the plane or line of the others.
+  /// Puts p on the boundary. Returns false where p lies, up to rounding, in the plane or on the line of the others.
   bool push(const dvec3& p);
   /// Takes the last point off the boundary; the sphere itself stays until the next push.
   void pop() { --count_; }
@@ -35,7 +35,7 @@ class Boundary {
     double scale = 0, squared_radius = 0;
   };
   dvec3 first_{0}, centre_{0};
-  double squared_radius_ = -1;  // no point yet: everything is outside
+  double squared_radius_ = -1;  // without a point, so that every point is outside
   std::array<Step, 4> steps_;
   size_t count_ = 0;
 };
@@ -51,7 +51,7 @@ bool Boundary::push(const dvec3& p) {
     for (size_t i = 1; i < count_; ++i)
       step.direction -= steps_[i].direction * (2 / steps_[i].scale * glm::dot(steps_[i].direction, step.direction));
     step.scale = 2 * squared_length(step.direction);
-    constexpr double dependent = 1e-24;  // squared sine below which a direction is rounding noise
+    constexpr double dependent = 1e-24;  // below this squared sine a direction is a rounding error
     if (step.scale <= dependent * std::max(squared_radius_, squared_length(p - first_))) return false;
     const double outside = squared_length(p - last.centre) - last.squared_radius;
     const double move = outside / step.scale;
@@ -64,10 +64,10 @@ bool Boundary::push(const dvec3& p) {
   return true;
 }
 
-/// The points that the sphere may rest on, foremost first.
+/// The points that may determine the sphere, those most likely to do so first.
 class Candidates {
  public:
-  /// Grows the sphere until it holds the first `end` points too; `support_` of them determine it afterwards.
+  /// Grows the sphere until it holds the first `end` points, too; afterwards the first `support_` of them determine it.
   void move_to_front(size_t end) {
     support_ = 0;
     if (sphere.full()) return;
@@ -81,7 +81,7 @@ class Candidates {
     }
   }
 
-  /// The smallest sphere of the support and of p, which lies outside.
+  /// Makes it the smallest sphere around the points that determine it and p, which lies outside.
   void add(const dvec3& p) {
     points_.resize(support_);
     if (!sphere.push(p)) return;
@@ -98,9 +98,9 @@ class Candidates {
   size_t support_ = 0;
 };
 
-/// Pivoting (section 4 of the paper): the farthest point joins while the sphere still grows by it.
+/// The centre, by pivoting (section 4 of the paper): adds the farthest point as long as the sphere grows by that.
 dvec3 centre_of(std::span<const glm::vec3> points) {
-  constexpr double growth = 1 + 1e-14;  // less than that is rounding noise
+  constexpr double growth = 1 + 1e-14;  // a smaller growth is a rounding error
   Candidates candidates;
   candidates.add(dvec3(points.front()));
   for (double before = -1; candidates.sphere.squared_radius() > before * growth;) {
@@ -128,7 +128,7 @@ Sphere smallest_sphere(std::span<const glm::vec3> points) {
 
 ExactSphere triangle_sphere(const dvec3& a, const dvec3& b, const dvec3& c) {
   const dvec3 corners[] = {a, b, c};
-  for (int i = 0; i < 3; ++i) {  // an angle of 90 degrees or more: the edge opposite is a diameter
+  for (int i = 0; i < 3; ++i) {  // opposite an angle of 90 degrees or more the edge is a diameter
     const dvec3 &p = corners[i], &q = corners[(i + 1) % 3], &r = corners[(i + 2) % 3];
     if (glm::dot(q - p, r - p) <= 0) return {(q + r) / 2.0, std::sqrt(squared_length(q - r)) / 2};
   }

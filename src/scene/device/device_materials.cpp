@@ -17,7 +17,7 @@ double linear_of(uint8_t coded, bool srgb) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-/// Mean of a texture in linear light; white where there is none.
+/// The mean of a texture in linear light; white where there is no texture.
 glm::dvec3 mean(const Scene& scene, const TextureUse& use, bool srgb) {
   if (!use.texture) return glm::dvec3(1);
   const Image& image = scene.images[scene.textures[*use.texture].image];
@@ -43,17 +43,18 @@ uint32_t fixed_minus_log2(double through) {
 
 bool transmits(const Material& material) { return material.transmission > 0 && material.metallic < 1; }
 
-/// A solid that bends rays: they have to meet its far side from inside, whatever doubleSided says.
+/// Whether it is a solid that bends rays. Rays must hit its far side from inside, even where the material is not
+/// doubleSided.
 bool is_solid(const Material& material) { return material.transmission > 0 && material.thickness > 0; }
 
-/// All but the page.
+/// All flags of a texture's word but the page.
 uint32_t flags_of(const Texture& texture, bool srgb) {
   return uint32_t(texture.wrap_s) << shared::texture_wrap_s_shift |
          uint32_t(texture.wrap_t) << shared::texture_wrap_t_shift | (texture.nearest ? shared::texture_nearest : 0) |
          (srgb ? shared::texture_srgb : 0);
 }
 
-/// Numbers the textures in the order in which materials ask for them.
+/// Numbers textures in the order in which materials use them.
 class TextureTable {
  public:
   explicit TextureTable(const Scene& scene) : scene_(scene) {}

@@ -12,14 +12,14 @@ namespace crsh::scene {
 
 struct DeviceMaterials {
   std::vector<shared::Material> materials;  ///< as in Scene::materials
-  std::vector<shared::Texture> textures;    ///< one a glTF texture and decoding
+  std::vector<shared::Texture> textures;    ///< one for each glTF texture and decoding (sRGB or linear)
   TexelPages texels;
 };
 
-/// All materials, with the textures they refer to; images that none refers to are left out.
+/// All materials, with the textures that they use; images that none uses are left out.
 [[nodiscard]] DeviceMaterials device_materials(const Scene& scene, uint64_t page_texels);
 
-/// The material's index with the flags of shared/scene.h: what lies beside a triangle's first corner.
+/// The material's index with the flags of shared/scene.h, as it is stored in the w of a triangle's first corner.
 [[nodiscard]] uint32_t flagged_material(const Scene& scene, uint32_t material);
 
 /// -log2 of what one crossing of the material's triangles lets through to a shadow ray, in 16.16 fixed point a

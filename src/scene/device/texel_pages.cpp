@@ -19,7 +19,7 @@ struct Size {
   }
 };
 
-/// The image at half its size: means of four texels.
+/// The image at half its size; each texel is the mean of four.
 Image halved(const Image& image) {
   Image half{std::max(image.width / 2, 1u), std::max(image.height / 2, 1u), {}};
   half.rgba.resize(size_t(half.width) * half.height * 4);
@@ -36,7 +36,7 @@ Image halved(const Image& image) {
   return half;
 }
 
-/// Largest first, each into the first page that has room; empty where one finds none.
+/// Places images, the largest first, each in the first page that has room. Nothing where one fits into no page.
 std::optional<std::vector<std::optional<Placement>>> place(const std::vector<Size>& sizes, uint64_t page_texels) {
   std::vector<size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), size_t(0));

@@ -1,5 +1,5 @@
 #pragma once
-// All images of a scene in a few storage buffers: not every device can pick one of many textures by lane.
+// All images of a scene in a few storage buffers, because not every device can choose another texture in each lane.
 
 #include <array>
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace crsh::scene {
 
 inline constexpr size_t texel_page_count = 4;
 
-/// Where an image's texels lie: rows from the top, RGBA8 a word.
+/// Where an image's texels are: rows from the top, a word of RGBA8 each.
 struct Placement {
   uint32_t page = 0, first = 0, width = 1, height = 1;
 };
 
 struct TexelPages {
   std::array<std::vector<uint32_t>, texel_page_count> pages;
-  std::vector<std::optional<Placement>> placements;  ///< an image; none where it is not used
+  std::vector<std::optional<Placement>> placements;  ///< by image; none where it is not used
   std::vector<std::string> notes;                    ///< what had to be made smaller, a line each
 };
 

@@ -5,7 +5,7 @@
 namespace crsh::scene {
 
 namespace {
-// Hostile files could otherwise fill the terminal with one note an image.
+// A hostile file could otherwise fill the terminal, with a note for each of its images.
 constexpr size_t most_notes = 64;
 
 bool starts_a_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }

@@ -4,7 +4,8 @@
 
 #include "scene/gltf/fault.h"
 
-// A private copy of the decoder, with nothing but the two formats of glTF: no symbols to clash with other copies.
+// A private copy of the decoder, with only the two formats of glTF. Its symbols cannot clash with those of other
+// copies.
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
@@ -17,8 +18,8 @@ namespace crsh::scene {
 
 Image decode_image(std::span<const uint8_t> bytes) {
   constexpr uint64_t most_texels = uint64_t{1} << 26u;  // 8192 x 8192, 256 MiB
-  // Deflate shrinks to 1/1032 at best, and a PNG has up to eight texels a byte: what claims more is cut short or a
-  // bomb.
+  // Deflate compresses to 1/1032 at best, and a PNG has up to eight texels in a byte. A file that claims to have more
+  // is truncated or hostile.
   constexpr uint64_t most_texels_a_byte = 8 * 1032 + 64;
   int width = 0, height = 0, channels = 0;
   if (bytes.size() > (size_t{1} << 30u)) throw Fault("is larger than 1 GiB");

@@ -9,8 +9,8 @@
 
 namespace crsh::scene {
 
-/// Fills materials (glTF's order, then the default one), textures and images. What `used` does not name is left at its
-/// defaults: nothing wears it, so its textures are not read.
+/// Fills materials (in glTF's order, then the default one), textures and images. Materials that are not in `used` keep
+/// their default values, and their textures are not read, because nothing has them.
 void read_materials(Document& document, const std::set<uint32_t>& used, Scene& scene, Notes& notes);
 
 }  // namespace crsh::scene
