@@ -1,5 +1,5 @@
 #pragma once
-// Checks of the programmer's errors that stay on in release builds.
+// Checks for errors of the programmer. They stay on in release builds.
 // (Not "assert.h": src/ is on the include path, and <cassert> would find it.)
 
 #include <string_view>

@@ -14,7 +14,7 @@ struct Layer {
   /// names as in the EXR: {"R","G","B","A"}, {"Z"}, {"N.X","N.Y","N.Z"}, {"Albedo.R",...}
   std::vector<std::string> channels;
   std::vector<float> values;  ///< width * height * channels.size()
-  std::vector<uint32_t> ids;  ///< in place of values, where the layer is of numbers
+  std::vector<uint32_t> ids;  ///< in place of `values` where the layer is of ids
 };
 
 struct Picture {

@@ -8,8 +8,8 @@
 
 namespace crsh {
 
-/// Columns of equal length, or empty where nothing is known; a row a ray. A frame's rows are in order of creation: by
-/// sample and portion of the image, by bounce, by kind, by light.
+/// Columns of equal length, or empty where nothing is known, with a row a ray. A frame's rows are in creation order: by
+/// sample, portion of the image, bounce, kind and light.
 struct RayTable {
   // What is traced.
   std::vector<glm::vec3> origin;     ///< metres; a shadow ray's is the light's end
@@ -42,7 +42,7 @@ void for_columns(Table& table, Visit visit) {
   visit(table.hit), visit(table.t), visit(table.transmittance);
 }
 
-/// The same number of rows in every column; new ones are zeros.
+/// Gives every column so many rows; new ones are zeros.
 void resize(RayTable& table, size_t rows);
 
 /// The rows of these numbers, in this order.

@@ -1,5 +1,5 @@
 #pragma once
-// The stages of a frame whose times are told apart.
+// The stages of a frame that are timed.
 
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace crsh {
 
-/// The rows of the paper's Table 3, with the raster pass, shading and the object hierarchy besides.
+/// The rows of the paper's Table 3, and besides the raster pass, shading and the object hierarchy.
 enum class Stage : uint32_t {
   raster,
   ray_creation,
@@ -23,7 +23,7 @@ enum class Stage : uint32_t {
 };
 inline constexpr size_t stage_count = 10;
 
-/// By Stage: as the statistics, the report and the viewer name them.
+/// Their names in statistics, report and viewer, by Stage.
 inline constexpr std::array<std::string_view, stage_count> stage_names = {"raster",
                                                                           "ray creation",
                                                                           "ray compression",
