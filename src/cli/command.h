@@ -9,21 +9,21 @@
 
 namespace crsh::cli {
 
-/// A row of the table, bound to the variable that it sets.
+/// A row of the table: an option, and the functions that set and get its variable.
 struct Option {
   std::string names;  ///< "-o,--output": the last one names it in JSON and messages
   std::string value;  ///< placeholder in the help; empty: a flag
   std::string help;
-  /// Takes one value ("true" for a flag); throws UserError that says what is allowed.
+  /// Sets the variable from one value ("true" for a flag). Throws UserError that says what is allowed.
   std::function<void(const std::string&)> set;
-  /// The effective value, null where the scene decides; empty: no part of the effective options.
+  /// Gives the effective value, null where the scene decides. No function: not one of the effective options.
   std::function<nlohmann::ordered_json()> get = {};
-  bool repeats = false;                     ///< every value is set; else only the last one
+  bool repeats = false;                     ///< may be given several times; else the last value counts
   bool pixels = false;                      ///< changes pixels: an attribute of the EXR
-  std::optional<std::string> initial = {};  ///< the default as the help shows it; none: as `get` has it
-  bool hidden = false;                      ///< for tests: not in the help, and in the effective options only when set
+  std::optional<std::string> initial = {};  ///< the default as the help shows it; none: what `get` gives
+  bool hidden = false;  ///< for tests: not shown in the help, and an effective option only where it is given
   std::vector<std::string> words =
-      {};  ///< values with names, for shells to complete; a LIST has them with commas between
+      {};  ///< the values that have names, for shells to complete; in a LIST with commas between
 
   /// The last of `names`, without its dashes.
   [[nodiscard]] std::string key() const;
@@ -53,18 +53,18 @@ struct Command {
 
 /// All subcommands, in the order of the help.
 [[nodiscard]] std::vector<Command> commands();
-// One file each.
+// A file each.
 [[nodiscard]] Command render_command();
 [[nodiscard]] Command bench_command();
 [[nodiscard]] Command diff_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command completion_command();
 
-/// Sets everything that `arguments` (what follows the subcommand) name. Returns false where they ask for help.
-/// Throws UserError (wrong usage): one line that names the option, the value and what is allowed.
+/// Sets all options that `arguments`, what follows the subcommand, name. Returns false where they ask for help. Throws
+/// UserError (wrong usage): one line that names the option, the value and what is allowed.
 [[nodiscard]] bool parse(const Command& command, const std::vector<std::string>& arguments);
 
-/// Every effective value, by the option's name; `only_pixels`: of those that change pixels.
+/// Every effective value by the option's name; with `only_pixels`, those of options that change pixels.
 [[nodiscard]] nlohmann::ordered_json effective_options(const std::vector<OptionGroup>& groups,
                                                        bool only_pixels = false);
 

@@ -1,4 +1,4 @@
-// crsh completion: what shells need to complete a command line, from the tables of options.
+// crsh completion: scripts by which shells complete command lines, made from the tables of options.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,7 +26,7 @@ bool takes_list(const Option& option) { return option.value == "LIST"; }
 
 std::string words_of(const Option& option) { return fmt::format("{}", fmt::join(option.words, " ")); }
 
-/// Calls `use` with every option that is for users, and the names it has.
+/// Calls `use` with every option that is not hidden, and its names.
 template <class Use>
 void for_options(const Command& command, Use use) {
   for (const OptionGroup& group : command.groups)
@@ -41,14 +41,14 @@ std::vector<std::string> command_names() {
   return names;
 }
 
-/// What the positionals may be, where they are no files.
+/// The words that a command takes besides options, where these are no files.
 std::string positional_words(const Command& command) {
   return command.name == "completion" ? fmt::format("{}", fmt::join(shells, " ")) : "";
 }
 
 // ---- bash
 
-/// A case for each option that takes a value: words, or nothing, which leaves it to file names.
+/// A case for each option that takes a value: the words it may be, or none, where bash completes file names.
 std::string bash_values(const Command& command) {
   std::string cases;
   for_options(command, [&](const Option& option, const std::vector<std::string>& names) {
@@ -63,7 +63,8 @@ std::string bash_values(const Command& command) {
   return cases;
 }
 
-/// Options where one is begun, else what the positionals may be: nothing leaves it to file names.
+/// Completes options where a word begins with "-", else the words that the command takes; without any, bash completes
+/// file names.
 std::string bash_options(const Command& command) {
   std::string names = "--help";
   for_options(command, [&](const Option&, const std::vector<std::string>& own) {
@@ -106,7 +107,7 @@ std::string bash() {
 
 // ---- zsh
 
-/// Between single quotes, and where brackets and colons have a meaning.
+/// Text escaped for single quotes, in places where brackets and colons have a meaning.
 std::string zsh_text(const std::string& text) {
   std::string result;
   for (const char c : text) {

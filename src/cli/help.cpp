@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t text_column = 27, line_length = 80;
 
-/// `text` from text_column on, broken between words.
+/// `text` broken between words, each line but the first indented to text_column.
 std::string hanging(const std::string& text) {
   std::istringstream words(text);
   std::string result, word;
@@ -36,7 +36,7 @@ std::string row(const std::string& left, const std::string& text) {
   return fmt::format("{:<{}}", left, text_column) + hanging(text);
 }
 
-/// "  -o, --output FILE", the long names below each other.
+/// The left column: "  -o, --output FILE", with long names below one another.
 std::string left_of(const Option& option) {
   const size_t comma = option.names.find(',');
   const std::string brief = comma == std::string::npos ? "    " : option.names.substr(0, comma) + ", ";

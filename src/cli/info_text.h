@@ -13,7 +13,7 @@ namespace crsh::cli {
 [[nodiscard]] std::string devices_text(const std::vector<gpu::DeviceInfo>& devices);
 [[nodiscard]] nlohmann::ordered_json devices_json(const std::vector<gpu::DeviceInfo>& devices);
 
-/// The scene as it stands at time 0.
+/// The scene at time 0.
 [[nodiscard]] std::string scene_text(const scene::Scene& scene);
 [[nodiscard]] nlohmann::ordered_json scene_json(const scene::Scene& scene);
 

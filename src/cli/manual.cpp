@@ -1,4 +1,4 @@
-// The manual page, from the tables of options. No date in it: one build gives one page.
+// The manual page, made from the tables of options. It has no date, so that a build always gives the same page.
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 namespace crsh::cli {
 namespace {
 
-/// Text as roff takes it: no hyphen becomes another sign, and no line a request.
+/// Text escaped for roff: hyphens stay hyphens, and no line is taken for a request.
 std::string roff(const std::string& text) {
   std::string result;
   bool line_begins = true;

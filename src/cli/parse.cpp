@@ -1,4 +1,4 @@
-// Parsing by CLI11; what a value means is the table's.
+// CLI11 takes the command line apart; what values mean is decided by the table of options.
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ namespace {
   throw UserError(fmt::format("{} (see {})", what, help), Exit::usage);
 }
 
-/// An option or positional of the table and what CLI11 collects for it.
+/// An option or positional of the table, and the values that CLI11 collects for it.
 template <class Row>
 struct Collected {
   const Row* row;
@@ -58,7 +58,7 @@ void refuse_unknown(const Command& command, const std::vector<std::string>& unkn
 }
 
 void collect(CLI::App& app, const Command& command, std::vector<std::string> arguments) {
-  std::ranges::reverse(arguments);  // CLI11 takes them from the back
+  std::ranges::reverse(arguments);  // CLI11 wants them in reverse order
   try {
     app.parse(arguments);
   } catch (const CLI::ArgumentMismatch& error) {

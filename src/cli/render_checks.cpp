@@ -27,7 +27,8 @@ void check_outputs(const RenderCommand& command) {
     if (!pattern.has_frame()) misuse(fmt::format("-o {}: several frames need {{frame}} in the path", pattern.text()));
 }
 
-/// One picture's rays to one file of NumPy's; and in their place others, of which no picture comes.
+/// --dump-rays writes the rays of one picture to an .npz file; --replay-rays traces rays of such a file, and makes no
+/// picture.
 void check_rays(const RenderCommand& command) {
   const auto& keys = command.options.algorithm.keys;
   const bool replays = !command.replay_rays.empty(), dumps = !command.dump_rays.empty();
@@ -43,7 +44,7 @@ void check_rays(const RenderCommand& command) {
     misuse("--replay-rays: give --stats FILE or --dump-rays FILE for what becomes of the rays");
 }
 
-/// Files of all frames, each once: throws where one is named twice.
+/// Throws where two outputs or frames have the same file.
 void check_distinct(const RenderCommand& command) {
   std::set<std::filesystem::path> seen;
   const auto add = [&](const std::string& path) {

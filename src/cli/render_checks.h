@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a `crsh render` before anything is loaded.
+// Checks of `crsh render`'s options, before anything is loaded.
 
 #include "cli/render_options.h"
 
@@ -8,7 +8,7 @@ namespace crsh::cli {
 /// Throws UserError (wrong usage) where options do not go together.
 void check_combinations(const RenderCommand& command);
 
-/// Throws UserError (wrong usage) where one picture's time is given and many frames'.
+/// Throws UserError (wrong usage) where both the time of one picture and a range of frames are given.
 void check_time(const RenderCommand& command);
 
 /// Throws UserError (wrong usage) where options of the camera do not go together.

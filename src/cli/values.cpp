@@ -13,7 +13,7 @@
 namespace crsh::cli {
 namespace {
 
-/// All of `text` as a number, if it is one.
+/// `text` as a number, if all of it is one.
 template <class T>
 std::optional<T> whole_number(const std::string& text) {
   T value{};
