@@ -1,5 +1,5 @@
 #pragma once
-// What each option of a preset is worth: tests with it set back to what the paper does.
+// What each switch of a preset is worth: how many tests there are with it set back to what the paper does.
 
 #include <vector>
 
@@ -8,7 +8,8 @@
 
 namespace crsh::bench {
 
-/// `scenes` have the same variants of one preset, that itself first: their tests, and how many times the first one's.
+/// A table of tests, and of how many times the first variant's they are. All scenes have the same variants of one
+/// preset; the first is the preset itself.
 [[nodiscard]] Table ablation_table(const std::vector<SceneResults>& scenes, const RayFilter& filter);
 
 }  // namespace crsh::bench

@@ -1,5 +1,5 @@
 #pragma once
-// A plain build of an object hierarchy to hold the device's against.
+// A plain build of an object hierarchy on the host, to compare the device's with.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -16,14 +16,14 @@ struct SahBox {
   void include(const SahBox& other);
 };
 
-/// Expected tests of a ray that meets the root's box, of a top-down build over these boxes by the binned surface area
-/// heuristic: 32 bins an axis, leaves of 4 triangles at most.
+/// The SAH cost of a hierarchy built top down over these boxes by the binned surface area heuristic, with 32 bins an
+/// axis and at most 4 triangles a leaf: the expected tests of a ray that meets the root's box.
 [[nodiscard]] double binned_sah_cost(std::vector<SahBox> boxes);
 
-/// A box a drawn triangle, in the world.
+/// The box of each drawn triangle, in world space.
 [[nodiscard]] std::vector<SahBox> world_boxes(const scene::Scene& scene, const Variant& variant);
 
-/// The SAH cost of the object hierarchies, and how it compares with `binned`, a cost a scene.
+/// A table of the object hierarchies' SAH costs, and their ratios to `binned`, which has a cost for each scene.
 [[nodiscard]] Table sah_table(const std::vector<SceneResults>& scenes, const std::vector<double>& binned);
 
 }  // namespace crsh::bench

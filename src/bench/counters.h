@@ -8,19 +8,19 @@
 
 namespace crsh::bench {
 
-/// What was counted after `before`, and the times of those frames.
+/// What was counted since `before`, with the times of those frames.
 [[nodiscard]] Statistics difference(const Statistics& after, const Statistics& before);
 
-/// As if so many frames had been counted: what `crsh render --stats` says of them.
+/// The counters of so many frames like this one, as `crsh render --stats` would have them.
 [[nodiscard]] Statistics times(const Statistics& one, uint64_t frames);
 
-/// The first counter that differs, by its name; empty: none does. Means over nodes are no counters.
+/// The name of the first counter that differs; empty where none does. Means over nodes are not compared.
 [[nodiscard]] std::string first_difference(const Statistics& a, const Statistics& b);
 
-/// The same rays and hits, found by testing each ray against every triangle.
+/// What brute force would count for these rays: the same hits, and a test of each ray against every triangle.
 [[nodiscard]] Statistics as_brute_force(Statistics statistics);
 
-/// Rays times triangles, of all kinds and bounces.
+/// Rays times triangles, summed over kinds and bounces.
 [[nodiscard]] uint64_t brute_force_tests(const Statistics& statistics);
 
 }  // namespace crsh::bench

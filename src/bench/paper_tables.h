@@ -1,5 +1,5 @@
 #pragma once
-// The paper's Tables 1, 2 and 3, with its row names, of what was measured here.
+// The paper's Tables 1, 2 and 3, with the names of its rows, and what was measured here.
 
 #include <optional>
 #include <string>
@@ -23,28 +23,28 @@ struct CountedRays {
   size_t kind = 0;
   std::optional<uint32_t> bounce;
 };
-/// None in the list: all rays.
+/// An empty list means all rays.
 using RayFilter = std::vector<CountedRays>;
 [[nodiscard]] bool is_counted(const RayStatistics& rays, const RayFilter& filter);
 
-/// "RAH Algorithm", "Our Algorithm (crsh arity=4)": the paper's name for a variant.
+/// The paper's name for a variant: "RAH Algorithm", "Our Algorithm (crsh arity=4)".
 [[nodiscard]] std::string row_name(const Result& result);
 
-/// Tests of a pass, the paper's count and everything, in per cent of brute force.
+/// Tests of a pass as the paper counts them and in per cent of brute force, and with everything counted.
 [[nodiscard]] Table table_1(const std::vector<SceneResults>& scenes, const RayFilter& filter);
-/// Tests, misses and hits of each kind of rays a level.
+/// Tests, misses and hits for each kind of rays and level.
 [[nodiscard]] Table table_2(const SceneResults& scene, const RayFilter& filter);
-/// Median milliseconds a stage, and how many times faster than the reference the two costly ones are.
+/// Median milliseconds of each stage, and how many times faster than the reference the two most costly ones are.
 [[nodiscard]] Table table_3(const std::vector<SceneResults>& scenes);
 
 /// Median milliseconds of a stage, or of the whole frame.
 [[nodiscard]] double stage_median(const Result& result, Stage stage);
 [[nodiscard]] double frame_median(const Result& result);
-/// Of traversal and intersection together, and of everything from ray creation on up to there.
+/// The median time of traversal and intersection together; below, of everything from ray creation to intersection.
 [[nodiscard]] double tracing_median(const Result& result);
 [[nodiscard]] double secondary_median(const Result& result);
 
-/// Sums over the counted rays.
+/// Sums over the rays that are counted.
 struct Sums {
   uint64_t rays = 0, brute_force = 0, paper = 0, total = 0;
 };

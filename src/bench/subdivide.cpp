@@ -8,8 +8,8 @@
 namespace crsh::bench {
 namespace {
 
-/// A point within a triangle: its corners' weights, each a multiple of 1 / n. Weights and sums are the same from both
-/// sides of an edge, so that no crack opens.
+/// A point of a triangle as the weights of its corners, multiples of 1 / n. Two triangles get the same numbers for
+/// points on the edge they share, so that no crack opens.
 struct Weights {
   double a, b, c;
   template <class Vector>
@@ -40,7 +40,7 @@ void add_vertex(const scene::Mesh& from, const glm::uvec3& t, const Weights& w, 
   to.colours.push_back(mixed_colour(w, from.colours[t.x], from.colours[t.y], from.colours[t.z]));
 }
 
-/// The n x n triangles of one; rows of vertices from corner a on.
+/// Adds the n x n parts of a triangle, whose vertices go in rows from corner a on.
 void subdivide(const scene::Mesh& from, size_t triangle, uint32_t n, scene::Mesh& to) {
   const auto first = static_cast<uint32_t>(to.positions.size());
   const auto vertex = [&](uint32_t row, uint32_t place) { return first + row * (row + 1) / 2 + place; };
