@@ -1,5 +1,5 @@
 #pragma once
-// How the rows of a table become batches of rays, as a frame would have made them.
+// Makes batches of the rows of a table of rays, as a frame would have made them.
 
 #include <cstdint>
 #include <vector>
@@ -16,8 +16,8 @@ struct ReplayBatch {
   std::vector<rays::Segment> segments;
 };
 
-/// Batches by rising number and bounce, none above what one may hold. Within a segment rows follow each other as
-/// --ray-order makes them where the image's size is known, else as they stand in the table.
+/// Batches by rising number and bounce, none with more rays than allowed. Within a segment rows are in the order of
+/// --ray-order where the image's size is known, else in the table's.
 [[nodiscard]] std::vector<ReplayBatch> replay_batches(const RayTable& table, const AlgorithmOptions& options);
 
 }  // namespace crsh

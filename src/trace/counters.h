@@ -1,5 +1,5 @@
 #pragma once
-// The counters on the GPU, a row each bounce and ray kind, and how they become statistics.
+// The counters on the device, a row for each bounce and kind of rays, and how they become statistics.
 
 #include <cstdint>
 
@@ -15,10 +15,10 @@ class Counters {
   Counters(gpu::Device& device, uint32_t bounces);
 
   [[nodiscard]] const gpu::Buffer& buffer() const { return buffer_; }
-  /// First counter of a bounce and kind.
+  /// The first counter of a bounce and kind.
   [[nodiscard]] static uint32_t row(uint32_t bounce, uint32_t kind);
 
-  /// All zero again.
+  /// Sets all counters to zero.
   void clear(gpu::Recorder& recorder) const;
   /// Adds what was counted since clear() to `statistics`, whose rows are by bounce, then kind. Submits and waits.
   void add_to(gpu::Recorder& recorder, Statistics& statistics) const;
@@ -28,7 +28,7 @@ class Counters {
   uint32_t rows_ = 0;
 };
 
-/// Empty rows for every bounce and kind that `bounces` allows.
+/// Rows with zeros for every bounce and kind of rays that `bounces` allows.
 [[nodiscard]] std::vector<RayStatistics> empty_rows(uint32_t bounces, uint64_t triangles);
 
 }  // namespace crsh::trace
