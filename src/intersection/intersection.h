@@ -23,19 +23,20 @@ struct In {
   const hierarchy::Account& account = hierarchy::no_account;
 };
 
-/// No ray has hit anything yet.
+/// Sets the hits of all rays of the batch to "none yet".
 void clear(gpu::Recorder& recorder, const rays::Batch& batch, const gpu::Buffer& hits);
 
-/// The rays of the candidates' nodes against the candidates' triangles; `sorted_rays` and `order` by sorted position.
+/// Tests the rays of the candidates' nodes against the candidates' triangles. `sorted_rays` and `order` are by sorted
+/// position.
 void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy& hierarchy,
                const gpu::Buffer& sorted_rays, const gpu::Buffer& order, const traversal::Candidates& candidates);
 
-/// The rays of one segment against every triangle of the scene.
+/// Tests the rays of one segment against every triangle of the scene.
 void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& segment);
 
 /// Adds a segment's hits and digest to its counters (crsh-stats: hits, hits_digest). `pixels` and `paths` are the
-/// surfaces' diffuse and specular buffers, whose w name a ray's pixel and path; the batch's slot 0 of each segment is
-/// surface `first_surface`.
+/// surfaces' diffuse and specular buffers, whose w hold pixel and path; slot 0 of each segment belongs to surface
+/// `first_surface`.
 void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment, uint32_t first_surface,
             const gpu::Buffer& pixels, const gpu::Buffer& paths);
 

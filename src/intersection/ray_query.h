@@ -1,13 +1,13 @@
 #pragma once
-// Rays by the device's own ray queries (VK_KHR_ray_query), where it has them.
+// Traces rays with the device's own ray queries (VK_KHR_ray_query), where it has them.
 
 #include "intersection/intersection.h"
 #include "objects/device_hierarchy.h"
 
 namespace crsh::intersection {
 
-/// The rays of one segment. `plain`: every triangle of the scene blocks, from either side. Counts nothing: what the
-/// device tests is its own affair.
+/// Traces the rays of one segment. `plain`: every triangle of the scene blocks, from either side. Counts nothing,
+/// because nobody can know what the device tests.
 void query(gpu::Recorder& recorder, const In& in, const objects::DeviceHierarchy& objects, bool plain,
            const rays::Segment& segment);
 

@@ -10,7 +10,7 @@ constexpr double r2_x = 0.7548776662466927, r2_y = 0.5698402909980532;
 
 double fraction(double x) { return x - std::floor(x); }
 
-/// 0 for seed 0, else anything (the finaliser of MurmurHash3).
+/// A hash of the seed, 0 for seed 0 (the finaliser of MurmurHash3).
 uint32_t mixed(uint32_t x) {
   x = (x ^ (x >> 16)) * 0x85EBCA6Bu;
   x = (x ^ (x >> 13)) * 0xC2B2AE35u;

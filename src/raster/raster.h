@@ -20,7 +20,7 @@ struct GBuffer {
   gpu::Image diffuse;   ///< rgb: base colour less metal; w: metallic
   gpu::Image specular;  ///< rgb: F0
   gpu::Image triangle;  ///< the drawn triangle's number from 1 on; 0: nothing
-  gpu::Image depth;     ///< reversed
+  gpu::Image depth;     ///< reversed: near is large
   std::unique_ptr<gpu::DrawProgram> program;
 };
 
@@ -28,7 +28,7 @@ struct In {
   const scene::GpuScene& scene;
   const CameraView& view;
   ImageSize size;
-  glm::vec2 jitter{0};  ///< of the sample in its pixel, pixels from the centre
+  glm::vec2 jitter{0};  ///< of the sample from its pixel's centre, in pixels
 };
 
 /// Draws all triangles, 2^20 a submit. Throws UserError for an image that the device cannot draw.
