@@ -1,5 +1,5 @@
 #version 460
-// Every ray against every triangle: a lane takes one ray and walks a batch of triangles.
+// Tests every ray against every triangle: a lane takes one ray and walks as many triangles as its loop may (limits.h).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require

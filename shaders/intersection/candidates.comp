@@ -15,7 +15,7 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint first_node;
   uint node_count;
-  uint most_rays;     // of a node: so many lanes each
+  uint most_rays;     // of a node: each node has so many lanes
   uint first_base;    // element of `bases` that belongs to first_node
   uint pairs_before;  // value of that element
   uint tests_counter;

@@ -1,5 +1,5 @@
 #version 460
-// No hit yet, for kernels that add to hits bit by bit.
+// Sets all hits to "none yet", for kernels that add to them in several dispatches.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
-// The stack of a cluster of lanes that walk a node together. It lies in registers, spread over the lanes: lavapipe pays
-// for memory by the lane, and hardly for arithmetic. Entry `place` is lane place % cluster's.
+// The stack of a cluster of lanes that walk a node together. It lies in registers, spread over the lanes, because on
+// lavapipe each lane's access to memory takes time and arithmetic hardly any. Lane place % cluster has entry `place`.
 
 const uint held_rows = 4u;
 #ifdef CRSH_ALONE

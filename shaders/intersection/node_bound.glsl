@@ -1,4 +1,4 @@
-// A node's bound, loaded word by word by the lanes of its cluster.
+// Loads a node's bound: the lanes of its cluster load a word each and pass it to the others.
 
 const uint bound_words = bound_bytes / 16u;
 vec4 own_words[8];

@@ -1,6 +1,6 @@
 #version 460
-// The raster pass (section 3.1), fragments: position and normal, diffuse and specular properties of what the eye sees,
-// four floats a pixel each, and the triangle, from which the stages after derive what else they need.
+// The raster pass (section 3.1), fragments: position, normal, diffuse and specular properties of what the eye sees,
+// four floats a pixel each, and the triangle, from which later stages derive what else they need.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/exact.glsl"

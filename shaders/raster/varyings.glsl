@@ -1,4 +1,4 @@
-// What the raster pass's vertices hand to its fragments: the direction is VARYING, `out` or `in`.
+// What the raster pass's vertices hand to its fragments. The includer defines VARYING as `out` or `in`.
 
 layout(location = 0) flat VARYING uint drawn_triangle;
 layout(location = 1) flat VARYING vec3 front;  // unit normal of the triangle's front

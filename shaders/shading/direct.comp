@@ -1,6 +1,6 @@
 #version 460
-// Direct light of a batch's shadow rays (section 3.2.6, then glTF's BRDF): for each light in order, what its ray lets
-// through times what the surface sends on. Lane: a surface.
+// Direct light (section 3.2.6, then glTF's BRDF): adds up, for each light of a batch in order, what its shadow ray lets
+// through times what the surface reflects to the eye. Lane: a surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

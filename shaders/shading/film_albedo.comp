@@ -1,5 +1,5 @@
 #version 460
-// The base colour of each surface of a sample, added to its pixel. Lane: a surface.
+// Adds the base colour of each surface of a sample to its pixel. Lane: a surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
@@ -15,6 +15,6 @@ void main() {
   uint i = invocation_index();
   if (i >= count) return;
   vec4 diffuse = diffuses[i];
-  float f0_share = emissions[i].w;  // of F0 what is not base colour; negative where nothing was met
+  float f0_share = emissions[i].w;  // the part of F0 that is not base colour; negative where nothing was met
   if (f0_share >= 0.0) albedo[floatBitsToUint(diffuse.w)] += vec4(diffuse.rgb + speculars[i].rgb - vec3(f0_share), 0.0);
 }

@@ -1,5 +1,5 @@
 #version 460
-// Distance along the view axis of the first sample's surfaces. Lane: a surface.
+// Writes the distance of the first sample's surfaces along the view axis. Lane: a surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

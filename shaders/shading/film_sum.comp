@@ -1,6 +1,6 @@
 #version 460
-// Something that each surface of a sample has, added to its pixel: light or its parts, F0, and of the first sample also
-// position and normal. Where nothing was met it is 0. Lane: a surface.
+// Adds a value of each surface of a sample to its pixel: light or a part of it, F0, and for the first sample also
+// position and normal. The value is 0 where nothing was met. Lane: a surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

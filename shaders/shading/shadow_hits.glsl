@@ -8,7 +8,7 @@ uint ray_of(uint slot) {
   return ends[slot] > before ? before : none;
 }
 
-/// Transmittance from a ray's sum of -log2 in 16.16 fixed point; saturated: blocked.
+/// The transmittance of a ray, from its sum of -log2 in 16.16 fixed point; 0 where the sum is saturated: blocked.
 vec3 let_through(uvec3 sum) {
   return mix(exp2(vec3(sum) * (-1.0 / 65536.0)), vec3(0.0), equal(sum, uvec3(0xFFFFFFFFu)));
 }

@@ -4,17 +4,17 @@
 
 CRSH_SHARED_BEGIN
 
-/// No triangle, no ray, no child.
+/// In place of an index: there is no triangle, ray or child.
 CRSH_CONST uint none = 0xFFFFFFFFu;
-/// Triangles of one mask word of the top level's traversal.
+/// How many triangles one mask word of the top level's traversal stands for.
 CRSH_CONST uint block_triangles = 32u;
-/// Most triangles of one batch: a lane walks a node's whole list in a loop, with two more loops of one turn each where
-/// it hits, and lavapipe 22.3 ends loops silently after 65,535 iterations an invocation, all its loops together: a turn
-/// for each of the three, and, where subgroups of four read together, two more for every four triangles.
+/// Most triangles that a lane walks in one dispatch. lavapipe 22.3 ends loops silently after 65,535 turns an
+/// invocation, over all its loops. Each triangle takes three turns: one of the loop over the list, and one each of two
+/// loops where it is hit. Where subgroups of four lanes read the list together, every four triangles take two more.
 CRSH_CONST uint max_batch_triangles = 12288u;
-/// Most rays of one sorted batch (a 128 MiB binding of 32-byte rays).
+/// Most rays of a batch: a binding of 128 MiB holds so many of 32 bytes.
 CRSH_CONST uint max_batch_rays = 1u << 22;
-/// Children that one lane looks through for where nodes are cut; a node ends at the end of such a run.
+/// Where nodes are cut, one lane goes through a run of so many children. A node ends at the end of a run, too.
 CRSH_CONST uint cut_run = 128u;
 /// Most levels of nodes above the rays.
 CRSH_CONST uint max_levels = 8u;

@@ -4,15 +4,15 @@
 
 CRSH_SHARED_BEGIN
 
-/// A node of the ray hierarchy by the bound "sphere-cone": eight floats (section 3.2.4). Metres; the spread is the
-/// tangent of the half-angle, 1e30 where the cone is a right angle or wider (then nothing is rejected by it).
+/// A node of the ray hierarchy with the bound "sphere-cone": eight floats (section 3.2.4). Lengths are metres, and the
+/// cone's width is the tangent of its half-angle, 1e30 for a right angle or wider, where the cone rejects nothing.
 struct Node {
   vec4 sphere;  ///< xyz: centre of the sphere of origins, w: its radius, rounded outwards
   vec4 cone;    ///< xyz: unit axis, w: tangent of the half-angle, rounded outwards
 };
 
-/// A node by the bounds made of slabs: the ranges of its rays' origins and ends, padded (metres), and of their unit
-/// directions. Without end: -3e38 to 3e38.
+/// A node with one of the bounds made of slabs: the padded ranges of its rays' origins and ends (metres), and those of
+/// their unit directions. Where a ray has no end: -3e38 to 3e38.
 struct Slab {
   vec4 origin_low;  ///< w: 0, here and below
   vec4 origin_high;
@@ -28,7 +28,8 @@ struct Interval {
   float far_end;
 };
 
-/// A candidate: node (of the level at hand) and triangle. The paper packs 18 + 14 bits; two words lift that limit.
+/// A candidate: a node of the level that is tested, and a triangle. The paper packs them into 18 + 14 bits; two words
+/// hold more.
 struct HitPair {
   uint node;
   uint triangle;

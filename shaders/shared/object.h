@@ -21,7 +21,7 @@ CRSH_CONST uint max_leaf_triangles = 4u;
 /// Most inner nodes on the way from the root to a leaf.
 CRSH_CONST uint max_object_depth = 96u;
 
-// What the surface area heuristic takes a test to cost. A ray that meets a node is tested against two boxes.
+// The costs of a test for the surface area heuristic. A ray that meets a node is tested against two boxes.
 CRSH_CONST float box_cost = 1.0f;
 CRSH_CONST float triangle_cost = 1.0f;
 

@@ -1,7 +1,7 @@
 #ifndef CRSH_SHARED_TYPES_H
 #define CRSH_SHARED_TYPES_H
 // Names that let one header compile as C++ (GLM) and as GLSL (scalar layout).
-// Records are made of 16-byte words: a vec4 costs lavapipe two scalar loads, a scalar one.
+// Records are made of words of 16 bytes: on lavapipe a vec4 takes as long as two scalars to load.
 
 #ifdef __cplusplus
 #include <cstdint>

@@ -4,14 +4,15 @@
 
 CRSH_SHARED_BEGIN
 
-// A walk of ray nodes through the object hierarchy (shared/object.h). Groups, the nodes of level 2, find the small
-// subtrees that their rays may meet, nearest first: their frontier. Level-1 nodes go on from there.
+// How ray nodes walk through the object hierarchy (shared/object.h). Groups, the nodes of level 2, find the small
+// subtrees that their rays may hit, nearest first: this is their frontier. Level-1 nodes go on from there.
 //
-// A group owns frontier_room entries of uvec2. The first one's x is how many follow. An entry: x the child slot of the
-// object hierarchy, y the bits of the distance before which no ray of the group is inside its box.
+// A frontier is an array of frontier_room uvec2. The first one's x is the number of entries that follow. An entry's x
+// is a child slot of the object hierarchy, its y has the bits of the distance before which no ray of the group is in
+// that box.
 CRSH_CONST uint frontier_room = 128u;
 
-/// A subtree of so many triangles, or fewer, is small.
+/// A subtree is small where it has no more triangles than this.
 CRSH_CONST uint frontier_triangles = 16u;
 
 CRSH_SHARED_END

@@ -1,5 +1,5 @@
-// Where kernels put the surfaces they find, bound from SURFACES_BINDING on in this order (C++: shading::Surfaces, then
-// the emission of shading::Generation).
+// The buffers to which kernels write surfaces, bound from SURFACES_BINDING on in this order: those of
+// surfaces::Surfaces in C++, then the emission of surfaces::Generation.
 
 layout(binding = SURFACES_BINDING + 0, scalar) writeonly buffer Positions { vec4 out_position[]; };
 layout(binding = SURFACES_BINDING + 1, scalar) writeonly buffer Normals { vec4 out_normal[]; };
@@ -19,7 +19,7 @@ void store_surface(uint i, uint triangle, Surface found, vec3 incoming, uint pix
   out_emission[i] = vec4(found.emission, f0_share);
 }
 
-/// Nothing was met: no rays start here.
+/// Writes a surface for where nothing was met: no rays start there.
 void store_nothing(uint i, vec3 incoming, uint pixel, uint path) {
   out_position[i] = vec4(vec3(0.0), uintBitsToFloat(none));
   out_normal[i] = vec4(0.0);
