@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "primitives/grow.h"
+#include "shared/ray.h"
 #include "trace/choose.h"
 
 namespace crsh::trace {
