@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/values.h"
+#include "gpu/needs.h"
 #include "output/stats_json.h"
 #include "scene/approximated.h"
 
@@ -75,15 +76,25 @@ std::string clauses_text(const std::vector<std::string>& clauses) {
   return clauses.empty() ? "nothing" : fmt::format("{}", fmt::join(clauses, "; "));
 }
 
+/// What the shaders need bound at once, and what the device can.
+Json limits_json(const gpu::StageLimits& available) {
+  Json json;
+  for (const gpu::StageLimit& limit : gpu::stage_limits)
+    json[limit.key] = {{"needed", gpu::most_needed().*limit.value}, {"available", available.*limit.value}};
+  return json;
+}
+
 }  // namespace
 
 std::string devices_text(const std::vector<gpu::DeviceInfo>& devices) {
   std::string text;
   for (const gpu::DeviceInfo& device : devices)
-    text += fmt::format("{}: {}\n   {}, driver {} {}, Vulkan {}, subgroups of {}\n   UUID {}\n   {}\n", device.index,
-                        device.name, device.type, device.driver, device.driver_version, device.api_version,
-                        device.subgroup_size, device.uuid,
-                        device.unusable.empty() ? "usable" : "not usable: " + device.unusable);
+    text += fmt::format(
+        "{}: {}\n   {}, driver {} {}, Vulkan {}, subgroups of {}\n   UUID {}\n   needs {}\n   "
+        "{}\n",
+        device.index, device.name, device.type, device.driver, device.driver_version, device.api_version,
+        device.subgroup_size, device.uuid, gpu::needs_text(device.stage, gpu::most_needed()),
+        device.unusable.empty() ? "usable" : "not usable: " + device.unusable);
   return text;
 }
 
@@ -92,6 +103,7 @@ Json devices_json(const std::vector<gpu::DeviceInfo>& devices) {
     Json json = {{"index", device.index}};
     json.update(output::device_json(device));
     json["uuid"] = device.uuid;
+    json["limits"] = limits_json(device.stage);
     json["usable"] = device.unusable.empty();
     json["reason"] = device.unusable.empty() ? Json() : Json(device.unusable);
     return json;

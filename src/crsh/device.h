@@ -13,6 +13,16 @@ namespace gpu {
 class Device;
 }
 
+/// What one stage of a pipeline binds, or may bind.
+struct StageLimits {
+  bool operator==(const StageLimits&) const = default;
+  uint32_t storage_buffers = 0;     ///< maxPerStageDescriptorStorageBuffers
+  uint32_t storage_images = 0;      ///< maxPerStageDescriptorStorageImages
+  uint32_t sampled_images = 0;      ///< maxPerStageDescriptorSampledImages: texel buffers count as these
+  uint32_t colour_attachments = 0;  ///< maxColorAttachments and maxFragmentOutputAttachments
+  uint32_t fragment_outputs = 0;    ///< maxFragmentCombinedOutputResources: storage buffers, images and attachments
+};
+
 /// What a device says of itself; `index` is its place in `list_devices()`.
 struct DeviceInfo {
   uint32_t index = 0;
@@ -23,6 +33,7 @@ struct DeviceInfo {
   bool software = false;     ///< the device is a CPU
   bool shuffles = false;     ///< compute shaders may pass values between lanes
   bool ray_queries = false;  ///< it has acceleration structures and ray queries of its own
+  StageLimits stage;         ///< what one stage may bind
   std::string unusable;      ///< why it cannot be used; empty when it can
 };
 

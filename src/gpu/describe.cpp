@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "gpu/instance.h"
+#include "gpu/needs.h"
 
 namespace crsh::gpu {
 namespace {
@@ -88,6 +89,16 @@ bool has_ray_queries(VkPhysicalDevice physical) {
   return v12.bufferDeviceAddress && structures.accelerationStructure && queries.rayQuery;
 }
 
+StageLimits stage_limits_of(const VkPhysicalDeviceLimits& limits) {
+  StageLimits out;
+  out.storage_buffers = limits.maxPerStageDescriptorStorageBuffers;
+  out.storage_images = limits.maxPerStageDescriptorStorageImages;
+  out.sampled_images = limits.maxPerStageDescriptorSampledImages;
+  out.colour_attachments = std::min(limits.maxColorAttachments, limits.maxFragmentOutputAttachments);
+  out.fragment_outputs = limits.maxFragmentCombinedOutputResources;
+  return out;
+}
+
 /// Why the device cannot be used, or an empty text. `core` alone is valid below Vulkan 1.3.
 std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& core) {
   if (core.apiVersion < VK_API_VERSION_1_3) return "it has Vulkan " + version_text(core.apiVersion) + ", 1.3 is needed";
@@ -98,7 +109,8 @@ std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties&
       VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_BALLOT_BIT | VK_SUBGROUP_FEATURE_ARITHMETIC_BIT;
   const bool subgroups = (properties.v11.subgroupSupportedOperations & wanted) == wanted &&
                          (properties.v11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
-  return subgroups ? "" : "its compute shaders have no subgroup ballot and arithmetic";
+  if (!subgroups) return "its compute shaders have no subgroup ballot and arithmetic";
+  return too_few(stage_limits_of(core.limits), most_needed());
 }
 
 }  // namespace
@@ -128,6 +140,7 @@ DeviceInfo describe_device(VkPhysicalDevice physical, uint32_t index) {
   info.subgroup_size = all.v11.subgroupSize;
   info.shuffles = all.v11.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
   info.software = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  info.stage = stage_limits_of(core.limits);
   info.unusable = missing(physical, core);
   info.ray_queries = info.unusable.empty() && has_ray_queries(physical);
   return info;

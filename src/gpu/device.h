@@ -25,6 +25,21 @@ struct Kernel;
 
 using crsh::DeviceInfo;
 using crsh::DeviceRequest;
+using crsh::StageLimits;
+
+/// All of StageLimits, in words.
+struct StageLimit {
+  const char* name;
+  const char* key;  ///< in JSON
+  uint32_t StageLimits::*value;
+};
+inline constexpr StageLimit stage_limits[] = {
+    {"storage buffers", "storage_buffers", &StageLimits::storage_buffers},
+    {"storage images", "storage_images", &StageLimits::storage_images},
+    {"texel buffers", "texel_buffers", &StageLimits::sampled_images},
+    {"colour attachments", "colour_attachments", &StageLimits::colour_attachments},
+    {"fragment resources", "fragment_resources", &StageLimits::fragment_outputs},
+};
 
 /// Limits that buffers, bindings and dispatches respect. Bytes unless said otherwise.
 struct Limits {
