@@ -3,7 +3,6 @@
 namespace crsh::trace {
 
 void run_brute(gpu::Recorder& recorder, const In& in, const Segments& segments, NoScratch&) {
-  intersection::clear(recorder, in.batch, in.workspace.hits);
   for (const size_t s : segments) {
     const rays::Segment& segment = in.batch.segments[s];
     intersection::intersect_all(recorder, intersection_in(in, segment.kind), segment);

@@ -32,7 +32,6 @@ void trace_kind(gpu::Recorder& recorder, const In& in, const Segments& segments,
 }  // namespace
 
 void run_mesh_nodes(gpu::Recorder& recorder, const In& in, const Segments& segments, MeshNodesScratch& scratch) {
-  intersection::clear(recorder, in.batch, in.workspace.hits);
   for (uint32_t kind = 0; kind < kind_count; ++kind) trace_kind(recorder, in, segments, kind, scratch);
 }
 

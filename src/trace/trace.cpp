@@ -1,7 +1,5 @@
 #include "trace/trace.h"
 
-#include <algorithm>
-
 #include "primitives/grow.h"
 #include "shared/ray.h"
 #include "trace/choose.h"
@@ -17,17 +15,18 @@ Segments segments_of(const Traced& traced, const Tracer& tracer) {
   return numbers;
 }
 
-/// Sorts and bundles the rays where a tracer needs that.
-void bundle_if_needed(gpu::Recorder& recorder, Traced& traced) {
-  std::vector<bool> without_nodes;
-  bool any = false;
-  for (size_t s = 0; s < traced.tracers.size(); ++s) {
-    without_nodes.push_back(!traced.tracers[s]->needs.sorted_rays);
-    any |= !without_nodes.back() && traced.in.batch.segments[s].count;
-  }
-  if (!any) return;
-  traced.bundle = &traced.in.workspace.bundle;
-  bundle(recorder, traced.in, std::move(without_nodes), *traced.bundle);
+/// Whether rays go to a tracer that needs this.
+bool is_needed(const Traced& traced, bool Needs::*what) {
+  for (size_t s = 0; s < traced.tracers.size(); ++s)
+    if (traced.in.batch.segments[s].count && traced.tracers[s]->needs.*what) return true;
+  return false;
+}
+
+/// By segment.
+std::vector<bool> without_nodes(const Traced& traced) {
+  std::vector<bool> without;
+  for (const Tracer* tracer : traced.tracers) without.push_back(!tracer->needs.sorted_rays);
+  return without;
 }
 
 }  // namespace
@@ -41,8 +40,12 @@ Traced trace(gpu::Recorder& recorder, const In& in) {
   Workspace& workspace = in.workspace;
   primitives::grow(recorder, workspace.hits, uint64_t(in.batch.count) * sizeof(shared::Hit), "hits");
   Traced traced{.in = in, .tracers = choose_tracers(recorder, in)};
-  bundle_if_needed(recorder, traced);
+  if (is_needed(traced, &Needs::sorted_rays)) {
+    traced.bundle = &workspace.bundle;
+    bundle(recorder, in, without_nodes(traced), workspace.bundle);
+  }
   workspace.account.begin(recorder, in.wanted, in.batch.count, traced.hierarchy());
+  if (is_needed(traced, &Needs::empty_hits)) intersection::clear(recorder, in.batch, workspace.hits);
   for (const Tracer& tracer : tracers())
     if (const Segments segments = segments_of(traced, tracer); !segments.empty()) run(recorder, in, tracer, segments);
   return traced;

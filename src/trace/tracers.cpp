@@ -31,9 +31,9 @@ constexpr Tracer row(std::string_view name, Needs needs, std::string_view scatte
 }
 
 constexpr std::array table = {
-    row<NoScratch, run_brute>("brute", {}),
+    row<NoScratch, run_brute>("brute", {.empty_hits = true}),
     row<SingleRaysScratch, run_single_rays>("single-rays", {.object_hierarchy = true}),
-    row<MeshNodesScratch, run_mesh_nodes>("mesh-nodes", {.sorted_rays = true}),
+    row<MeshNodesScratch, run_mesh_nodes>("mesh-nodes", {.empty_hits = true, .sorted_rays = true}),
     row<ObjectNodesScratch, run_object_nodes>(
         "object-nodes", {.object_hierarchy = true, .sorted_rays = true, .most_levels = 2}, "single-rays"),
     row<NoScratch, run_ray_query>("ray-query", {.device_hierarchy = true}),

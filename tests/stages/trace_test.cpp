@@ -4,8 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <numeric>
 
+#include "shared/limits.h"
 #include "stages/batches.h"
 #include "support/cases.h"
 #include "support/cases_trace.h"
@@ -16,12 +18,12 @@ namespace {
 
 constexpr uint32_t rays_a_segment = 512;
 
-/// Side by side, straight down.
-std::vector<shared::Ray> parallel_rays(uint32_t kind) {
+/// Side by side, from above the ball straight down through it, or up.
+std::vector<shared::Ray> parallel_rays(uint32_t kind, float end = -4) {
   std::vector<shared::Ray> rays;
   for (uint32_t i = 0; i < rays_a_segment; ++i) {
-    const float x = float(i) / rays_a_segment;
-    rays.push_back(ray_between({x, 0.1f, 4}, {x, 0.1f, -4}, kind));
+    const float x = 0.9f * float(i) / rays_a_segment;
+    rays.push_back(ray_between({x, 0.1f, 4}, {x, 0.1f, end}, kind));
   }
   return rays;
 }
@@ -110,6 +112,21 @@ TEST_CASE("a scene of few triangles is met by single rays, however coherent they
   const trace::Traced traced = small.trace(mixed_batch(small.triangles), "crsh-bvh");
   CHECK(names_of(traced) == std::vector<std::string>(3, "single-rays"));
   CHECK(traced.bundle == nullptr);
+}
+
+TEST_CASE("hits of the batch before are gone, whoever traces") {
+  Place place;
+  const std::vector<rays::Segment> one = {{shared::kind_reflection, 0, 0, rays_a_segment}};
+  const rays::Batch down = make_batch(parallel_rays(shared::kind_reflection), one),
+                    up = make_batch(parallel_rays(shared::kind_reflection, 8), one);
+  const auto misses = [](const glm::uvec4& hit) { return hit.y == shared::none; };
+  for (const std::string& algorithm : preset_names()) {
+    CAPTURE(algorithm);
+    CHECK(place.trace(down, algorithm).tracers.size() == 1);
+    CHECK(std::ranges::none_of(place.hits(down), misses));
+    CHECK(place.trace(up, algorithm).tracers.size() == 1);
+    CHECK(std::ranges::all_of(place.hits(up), misses));
+  }
 }
 
 TEST_CASE("rays without keys are bundled as they were created, and not called sorted") {

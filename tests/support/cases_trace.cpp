@@ -97,7 +97,7 @@ uint64_t Traced::counter(uint32_t kind, uint32_t which) const {
 trace::In Tracer::begin(const scene::GpuScene& scene, const SortedBatch& rays, const TraceOptions& options) {
   workspace_.hits.reserve(recorder_.device(), std::max(rays.batch.count, 1u) * sizeof(shared::Hit), "hits");
   counters_.clear(recorder_);
-  intersection::clear(recorder_, rays.batch, workspace_.hits);
+  intersection::clear(recorder_, rays.batch, workspace_.hits);  // Needs::empty_hits
   options_.algorithm = options.algorithm;
   options_.submit_work = options.submit_work;
   options_.mutation = options.mutation.empty() ? std::nullopt : std::optional(options.mutation);
