@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/whole_file.h"
+#include "support/outside_scene.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -82,6 +83,24 @@ TEST_CASE("a scene that cannot be read is one line, exit status 1") {
     CHECK(outcome.error_lines() == 1);
     CHECK(outcome.err.find(path) != std::string::npos);
   }
+}
+
+TEST_CASE("a scene's files outside its folder are refused, with the option that reads them") {
+  const test::TemporaryFolder folder;
+  const std::string scene = test::outside_scene(folder);
+  for (const std::vector<std::string>& line :
+       {std::vector<std::string>{"info", scene}, {"render", scene, "-o", folder / "x.png"}, {"bench", scene}}) {
+    const test::Outcome outcome = crsh(line);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == 1);
+    CHECK(outcome.error_lines() == 1);
+    CHECK(outcome.err.find("'../three.bin', which it refers to: lies outside the scene's folder") != std::string::npos);
+    CHECK(outcome.err.ends_with("(--allow-outside)\n"));
+  }
+  CHECK(nlohmann::json::parse(crsh({"info", scene, "--json", "--allow-outside"}).out)["scene"]["triangles"] == 1);
+  CHECK(crsh({"render", scene, "--allow-outside", "--size", "8x8", "-o", folder / "x.png"}).status == 0);
+  CHECK(crsh({"bench", scene + " --allow-outside", "--algorithms", "brute", "--size", "8x8", "--repeat", "1"}).status ==
+        0);
 }
 
 }  // namespace

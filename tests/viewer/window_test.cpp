@@ -7,6 +7,7 @@
 
 #include "output/image.h"
 #include "output/whole_file.h"
+#include "support/outside_scene.h"
 #include "viewer/view.h"
 
 namespace crsh {
@@ -89,6 +90,20 @@ TEST_CASE("a scene that is dropped takes the place of the other") {
 
 TEST_CASE("without a scene it waits for one") {
   check_well(view("", "resize 300 200\nframes 3\ndrop " + cornell + "\nframes 20\nwait\n"));
+}
+
+TEST_CASE("--allow-outside reads a scene's files outside its folder, and is part of the command that it prints") {
+  const TemporaryFolder folder;
+  const std::string scene = test::outside_scene(folder);
+  const test::Outcome refused = view(scene, "frames 3\n");
+  CHECK(refused.status == 1);
+  CHECK(refused.err.find("lies outside the scene's folder") != std::string::npos);
+  CHECK(refused.err.find("(--allow-outside)") != std::string::npos);
+  std::vector<std::string> options = quick;
+  options.emplace_back("--allow-outside");
+  const test::Outcome outcome = view(scene, "resize 300 200\nwait\nprint-command\n", options);
+  check_well(outcome);
+  CHECK(outcome.out.find(" --allow-outside ") != std::string::npos);
 }
 
 TEST_CASE("a scene that is broken from the start ends a script with its reason") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/gltf/fault.h"
@@ -11,13 +12,13 @@
 namespace crsh::scene {
 
 /// "meshes[2]": how messages call element `index` of the file's list `name`.
-[[nodiscard]] inline std::string place(const std::string& name, int64_t index) {
-  return name + "[" + std::to_string(index) + "]";
+[[nodiscard]] inline std::string place(std::string_view name, int64_t index) {
+  return std::string(name) + "[" + std::to_string(index) + "]";
 }
 
 /// Element `index` of the file's list `name`; a Fault that names both where there is none.
 template <class T>
-[[nodiscard]] const T& at(const std::vector<T>& list, int64_t index, const std::string& name) {
+[[nodiscard]] const T& at(const std::vector<T>& list, int64_t index, std::string_view name) {
   if (index < 0 || static_cast<uint64_t>(index) >= list.size())
     throw Fault(place(name, index) + " is referred to but is not in the file");
   return list[static_cast<size_t>(index)];

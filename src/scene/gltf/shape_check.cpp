@@ -27,8 +27,7 @@ struct Where {
   [[nodiscard]] std::string written() const {
     if (outer == nullptr) return {};
     const std::string before = outer->written();
-    const std::string own =
-        index == SIZE_MAX ? std::string(name) : place(std::string(name), static_cast<int64_t>(index));
+    const std::string own = index == SIZE_MAX ? std::string(name) : place(name, static_cast<int64_t>(index));
     return before.empty() ? own : before + "." + own;
   }
 };
