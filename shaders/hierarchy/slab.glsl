@@ -151,7 +151,7 @@ bool slab_may_hit_corners_box(Slab node, Interval interval, vec3 a, vec3 b, vec3
 /// at its near plane: the earliest from the nearest origin, with the fastest direction. They leave at its far plane:
 /// the latest from the farthest origin, with the slowest direction. Where some go forward and others backward, they may
 /// enter at once and never leave.
-struct ReadySlab {
+struct PreparedSlab {
   bvec3 near_is_low;
   vec3 near_origin;
   vec3 near_inverse;
@@ -162,20 +162,20 @@ struct ReadySlab {
   vec3 high;
 };
 
-ReadySlab slab_ready(Slab node, bool use_interval) {
+PreparedSlab slab_prepare(Slab node, bool use_interval) {
   vec3 inverse_low = safe_inverse(node.direction_low.xyz), inverse_high = safe_inverse(node.direction_high.xyz);
   bvec3 forward = greaterThanEqual(node.direction_low.xyz, vec3(0.0));
   bvec3 mixed = bvec3(uvec3(not(forward)) * uvec3(greaterThanEqual(node.direction_high.xyz, vec3(0.0))));
-  return ReadySlab(forward, mix(node.origin_low.xyz, node.origin_high.xyz, forward),
-                   mix(mix(inverse_low, inverse_high, forward), vec3(0.0), mixed),
-                   mix(node.origin_high.xyz, node.origin_low.xyz, forward), mix(inverse_high, inverse_low, forward),
-                   mix(vec3(-slab_wide), vec3(slab_wide), mixed),
-                   use_interval ? min(node.origin_low.xyz, node.end_low.xyz) : vec3(-slab_wide),
-                   use_interval ? max(node.origin_high.xyz, node.end_high.xyz) : vec3(slab_wide));
+  return PreparedSlab(forward, mix(node.origin_low.xyz, node.origin_high.xyz, forward),
+                      mix(mix(inverse_low, inverse_high, forward), vec3(0.0), mixed),
+                      mix(node.origin_high.xyz, node.origin_low.xyz, forward), mix(inverse_high, inverse_low, forward),
+                      mix(vec3(-slab_wide), vec3(slab_wide), mixed),
+                      use_interval ? min(node.origin_low.xyz, node.end_low.xyz) : vec3(-slab_wide),
+                      use_interval ? max(node.origin_high.xyz, node.end_high.xyz) : vec3(slab_wide));
 }
 
 /// Whether a ray of the node can be within low .. high before `reach`, and from which distance on.
-bool slab_ready_may_hit_box(ReadySlab node, float reach, vec3 low, vec3 high, out float enter) {
+bool slab_prepared_may_hit_box(PreparedSlab node, float reach, vec3 low, vec3 high, out float enter) {
   precise vec3 near3 = (mix(high, low, node.near_is_low) - node.near_origin) * node.near_inverse;
   precise vec3 far3 = (mix(low, high, node.near_is_low) - node.far_origin) * node.far_inverse;
   vec3 leave3 = max(far3, node.leave_late);
@@ -184,8 +184,8 @@ bool slab_ready_may_hit_box(ReadySlab node, float reach, vec3 low, vec3 high, ou
   return enter <= last && all(lessThanEqual(node.low, high)) && all(greaterThanEqual(node.high, low));
 }
 
-bool slab_ready_may_hit_corners_box(ReadySlab node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
+bool slab_prepared_may_hit_corners_box(PreparedSlab node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
   vec3 low, high;
   slab_box_of(a, b, c, low, high);
-  return slab_ready_may_hit_box(node, reach, low, high, enter);
+  return slab_prepared_may_hit_box(node, reach, low, high, enter);
 }

@@ -4,7 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 layout(local_size_x = 64) in;
 #include "intersection/meet.glsl"
 #include "lib/counters.glsl"
@@ -31,8 +31,8 @@ void main() {
   Shear shear = shear_of(ray.direction.xyz);
   uvec4 hit = hits[id];
   uint tests = 0u;
-  bool together = walk_together(first_triangle, triangle_count);
-  if (together) {
+  bool common_list = same_list(first_triangle, triangle_count);
+  if (common_list) {
     for (;;) {
       Loaded mine = load_triangle(first_triangle + min(tests + gl_SubgroupInvocationID, triangle_count - 1u));
       uint loaded = min(gl_SubgroupSize, triangle_count - tests), k = 0u;

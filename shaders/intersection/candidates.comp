@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 layout(local_size_x = 64) in;
 #include "intersection/meet.glsl"
 #include "lib/counters.glsl"
@@ -15,7 +15,7 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
   uint first_node;
   uint node_count;
-  uint most_rays;     // of a node: each node has so many lanes
+  uint max_rays;      // of a node: each node has so many lanes
   uint first_base;    // element of `bases` that belongs to first_node
   uint pairs_before;  // value of that element
   uint tests_counter;
@@ -32,10 +32,10 @@ layout(binding = 10, scalar) buffer Counters { uvec2 counters[]; };
 
 void main() {
   uint i = invocation_index();
-  uint place = min(i / most_rays, node_count - 1u);
+  uint place = min(i / max_rays, node_count - 1u);
   uvec2 node_rays = rays_of[first_node + place];
-  uint position = node_rays.x + i % most_rays;
-  bool present = i / most_rays < node_count && position < node_rays.y;
+  uint position = node_rays.x + i % max_rays;
+  bool present = i / max_rays < node_count && position < node_rays.y;
   position = min(position, node_rays.y - 1u);
   uint begin = bases[first_base + place] - pairs_before, end = bases[first_base + place + 1u] - pairs_before;
   Ray ray = rays[position];
@@ -43,8 +43,8 @@ void main() {
   uint id = order[position];
   uvec4 hit = hits[id];
 
-  bool together = walk_together(begin, end);
-  uint own_end = together || !present ? begin : end;
+  bool common_list = same_list(begin, end);
+  uint own_end = common_list || !present ? begin : end;
   uint pair = begin;
   if (pair < own_end) {
     for (;;) {
@@ -52,7 +52,7 @@ void main() {
       if (++pair >= own_end) break;
     }
   }
-  if (together && begin < end) {
+  if (common_list && begin < end) {
     for (;;) {
       Loaded mine = load_triangle(pairs[min(pair + gl_SubgroupInvocationID, end - 1u)].triangle);
       uint loaded = min(gl_SubgroupSize, end - pair), k = 0u;

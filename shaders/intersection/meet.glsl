@@ -3,7 +3,7 @@
 // Bindings 0 to 4 are taken.
 
 #include "intersection/no_hit.glsl"
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 #include "lib/triangle.glsl"
 #include "shared/scene.h"
 

@@ -3,7 +3,7 @@
 const uint bound_words = bound_bytes / 16u;
 vec4 own_words[8];
 
-#ifdef CRSH_ALONE
+#ifdef CRSH_NO_SHUFFLE
 #define WORD(k) own_words[k]
 #else
 #define WORD(k) FROM_LANE(own_words[(k) / cluster], first_of_cluster() + (k) % cluster)

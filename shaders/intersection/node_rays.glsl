@@ -1,4 +1,4 @@
-// The rays of a node that is walked: a lane's own in registers, or, in the "-alone" build, all of them in memory.
+// The rays of a node that is walked: a lane's own in registers, or, in the "-no-shuffle" build, all of them in memory.
 
 uvec2 node_rays;  // sorted positions, first and end
 
@@ -16,7 +16,7 @@ bool is_wanted(Ray ray, uvec4 hit, float enter) {
   return !is_done(ray, hit) && enter <= limit_of(ray, hit) * (1.0 + 8.0 * bound_pad);
 }
 
-#ifdef CRSH_ALONE
+#ifdef CRSH_NO_SHUFFLE
 
 void take_rays(uint node) {
   node_rays = rays_of[node];
@@ -55,7 +55,7 @@ float reach_of_rays() {
 void give_rays(bool done) {
   for (uint i = done ? node_rays.y : node_rays.x; i < node_rays.y; ++i) {
     uint id = order[i];
-    left[atomicAdd(left_count, 1u)] = id - first_ray;
+    unfinished[atomicAdd(unfinished_count, 1u)] = id - first_ray;
   }
 }
 
@@ -136,7 +136,7 @@ void give_own(OwnRay own, uint row, bool done) {
 
 /// `base`: where the list has room for all rays of the node.
 void leave_own(OwnRay own, uint row, uint base) {
-  if (has_ray(row)) left[base + row * cluster + lane_in_cluster()] = own.id - first_ray;
+  if (has_ray(row)) unfinished[base + row * cluster + lane_in_cluster()] = own.id - first_ray;
 }
 
 void give_rays(bool done) {
@@ -144,7 +144,7 @@ void give_rays(bool done) {
   EACH_ROW(GIVE)
   if (!done) {
     uint base = 0u;
-    if (lane_in_cluster() == 0u) base = atomicAdd(left_count, node_rays.y - node_rays.x);
+    if (lane_in_cluster() == 0u) base = atomicAdd(unfinished_count, node_rays.y - node_rays.x);
     base = FROM_LANE(base, first_of_cluster());
 #define LEAVE(own, row) leave_own(own, row, base);
     EACH_ROW(LEAVE)

@@ -5,15 +5,15 @@
 // no more where all shadow rays of the node are blocked. (Sections 3.2.5 and 3.2.6, and the paper's future work.)
 //
 // A cluster of lanes takes a node, a ray each. All of them walk alike: what the node needs is loaded once, by one lane
-// or another, and passed round; boxes of a frontier and triangles of a leaf are tested side by side. In the "-alone"
-// build a cluster is one lane, which takes the rays in turn: the same hits, after tests in another order.
+// or another, and passed round; boxes of a frontier and triangles of a leaf are tested side by side. In the
+// "-no-shuffle" build a cluster is one lane, which takes the rays in turn: the same hits, after tests in another order.
 //
 // Nodes that need very many tests are left: their rays then go one by one (single.comp).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 layout(local_size_x = 64) in;
 #include "intersection/meet.glsl"
 #include "lib/counters.glsl"
@@ -23,11 +23,11 @@ layout(local_size_x = 64) in;
 #include "shared/node.h"
 #include "shared/walk.h"
 #include "variant.glsl"
-#include "hierarchy/ready.glsl"
+#include "hierarchy/prepared.glsl"
 
 /// Test-only mutation: about every so many-th pair of node and triangle is dropped.
 layout(constant_id = 0) const uint drop_every = 0u;
-#ifdef CRSH_ALONE
+#ifdef CRSH_NO_SHUFFLE
 const uint cluster = 1u;
 #else
 /// Lanes a node: a power of two, 2 to 32; and rays a lane, so that they hold the arity.
@@ -57,9 +57,9 @@ layout(binding = 9, scalar) readonly buffer Nodes { vec4 node_words[]; };
 layout(binding = 10, scalar) readonly buffer NodeRays { uvec2 rays_of[]; };
 layout(binding = 11, scalar) readonly buffer Parents { uint parents[]; };
 layout(binding = 12, scalar) readonly buffer Frontiers { uvec2 frontier[]; };
-layout(binding = 13, scalar) buffer Left {
-  uint left_count;
-  uint left[];  // rays, counted from first_ray
+layout(binding = 13, scalar) buffer Unfinished {
+  uint unfinished_count;
+  uint unfinished[];  // rays, counted from first_ray
 };
 layout(binding = 14, scalar) buffer Counters { uvec2 counters[]; };
 #define ACCOUNT_BINDING 15
@@ -67,13 +67,13 @@ layout(binding = 14, scalar) buffer Counters { uvec2 counters[]; };
 
 uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays
 
-#include "intersection/held.glsl"
+#include "intersection/cluster_stack.glsl"
 #include "intersection/node_rays.glsl"
 #include "intersection/node_bound.glsl"
 
 /// Turns of loops of a node's walk, and of all nodes of a cluster, about. While one of four clusters of a subgroup
 /// takes a turn, five other loops may run for no lane: lavapipe 22.3 ends loops silently after 65,535.
-const uint most_turns = 640u, most_turns_in_all = 2560u;
+const uint max_turns = 640u, max_turns_in_all = 2560u;
 /// No ray that is inside a box from `enter` on hits anything in it before that, but for rounding.
 const float reach_slack = 1.0 + 8.0 * bound_pad;
 
@@ -101,10 +101,10 @@ void spend(inout NodeWalk walk, uint turns) { walk.turns -= min(turns, walk.turn
 bool within(float enter, float reach) { return enter <= reach * reach_slack; }
 
 /// What to visit for a child slot, `none` where no ray of the node may hit its box.
-uint test_slot(READY node, float reach, uint slot, bool wanted, out float enter) {
+uint test_slot(PREPARED node, float reach, uint slot, bool wanted, out float enter) {
   vec4 low = vec4(0.0), high = vec4(0.0);
   if (wanted) low = box_low[slot], high = box_high[slot];  // software pays by the lane
-  bool hit = ready_may_hit_box(node, reach, low.xyz, high.xyz, enter);
+  bool hit = prepared_may_hit_box(node, reach, low.xyz, high.xyz, enter);
   return wanted && hit && within(enter, reach) ? visit_of(low.w, high.w) : none;
 }
 
@@ -118,13 +118,13 @@ void take(inout NodeWalk walk) {
   uint visit = FROM_LANE(walk.visit, lane);
   float enter = FROM_LANE(walk.visit_enter, lane);
   walk.visits &= visited ? walk.visits - 1u : 0xFFFFFFFFu;
-  walk.enter = stacked ? held_enter(walk.depth) : enter;
-  visit = stacked ? held_visit(walk.depth) : visited ? visit : none;
+  walk.enter = stacked ? stack_enter(walk.depth) : enter;
+  visit = stacked ? stack_visit(walk.depth) : visited ? visit : none;
   walk.next = within(walk.enter, walk.reach) ? visit : none;
 }
 
 /// Tests the next entries of the frontier, one a lane.
-void test_entries(inout NodeWalk walk, READY node) {
+void test_entries(inout NodeWalk walk, PREPARED node) {
   uint mine = walk.entry + lane_in_cluster();
   bool present = mine < walk.entries_end;
   uvec2 entry = uvec2(0u);
@@ -139,9 +139,9 @@ void test_entries(inout NodeWalk walk, READY node) {
 }
 
 /// From an inner node to its nearer child that the rays may hit; the other one is left for later.
-void descend(inout NodeWalk walk, READY node) {
+void descend(inout NodeWalk walk, PREPARED node) {
   float enter0, enter1;
-#ifdef CRSH_ALONE
+#ifdef CRSH_NO_SHUFFLE
   uint visit0 = test_slot(node, walk.reach, 2u * walk.next, true, enter0);
   uint visit1 = test_slot(node, walk.reach, 2u * walk.next + 1u, true, enter1);
   box_tests += 2u;
@@ -154,7 +154,7 @@ void descend(inout NodeWalk walk, READY node) {
 #endif
   bool both = visit0 != none && visit1 != none;
   bool first = visit0 != none && !(both && enter1 < enter0);
-  hold(walk.depth, first ? visit1 : visit0, first ? enter1 : enter0);
+  put_on_stack(walk.depth, first ? visit1 : visit0, first ? enter1 : enter0);
   walk.depth += both ? 1u : 0u;
   walk.next = first ? visit0 : visit1;
   walk.enter = first ? enter0 : enter1;
@@ -164,7 +164,7 @@ void descend(inout NodeWalk walk, READY node) {
 
 /// The triangles of the lanes' leaves (`none`: no leaf) against the node, one a lane, and those that it may hit against
 /// its rays.
-void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
+void meet_leaves(inout NodeWalk walk, PREPARED node, uint leaf, float enter) {
   uint own = leaf_triangles(leaf), end = sum_of_lanes(own), count = FROM_LANE(end, first_of_cluster() + cluster - 1u);
   uint begin = leaf_first(leaf) + own - end;  // of triangle 0 of all, if they were this leaf's
   if (count == 0u) return;
@@ -178,7 +178,7 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
     Loaded loaded = Loaded(none, vec4(0.0), vec4(0.0), vec4(0.0));
     if (present) loaded = load_leaf_triangle(place);
     float met;  // no ray meets the triangle before
-    bool may = present && ready_may_hit_corners(node, walk.reach, loaded.a.xyz, loaded.b.xyz, loaded.c.xyz, met);
+    bool may = present && prepared_may_hit_corners(node, walk.reach, loaded.a.xyz, loaded.b.xyz, loaded.c.xyz, met);
     node_tests += present ? 1u : 0u;
     node_hits += may ? 1u : 0u;
     may = may && (drop_every == 0u || (place + 7u * node_rays.x) % drop_every != 0u);
@@ -206,10 +206,10 @@ void meet_leaves(inout NodeWalk walk, READY node, uint leaf, float enter) {
 /// Walks one node, and takes as many turns at most; whether that is finished.
 bool walk_node(uint node, inout uint turns) {
   take_rays(node);
-  READY bound = ready(load_bound(node), use_interval == 1u);
+  PREPARED bound = prepare(load_bound(node), use_interval == 1u);
   uint list = (grouped == 1u ? parents[node] - first_group : 0u) * frontier_room;
   NodeWalk walk = NodeWalk(none, 0.0, 0u, none, 0.0, 0u, false, list + 1u, list + 1u + frontier[list].x,
-                           reach_of_rays(), min(turns, most_turns));
+                           reach_of_rays(), min(turns, max_turns));
   turns -= walk.turns;
   for (;;) {
     if (is_idle(walk) && walk.entry < walk.entries_end) {
@@ -223,14 +223,14 @@ bool walk_node(uint node, inout uint turns) {
     if (!entered && is_inner(walk.next)) {
       for (;;) {
         descend(walk, bound);
-        if (!(is_inner(walk.next) && walk.turns > 0u && walk.depth < most_held)) break;
+        if (!(is_inner(walk.next) && walk.turns > 0u && walk.depth < max_stack)) break;
       }
     }
     uint leaf = lane_in_cluster() == 0u ? walk.next : none;
     meet_leaves(walk, bound, entered ? walk.visit : leaf, entered ? walk.visit_enter : walk.enter);
     walk.next = is_inner(walk.next) ? walk.next : none;
     walk.leaves = false;
-    if (!(is_left(walk) && walk.turns > 0u && walk.depth < most_held)) break;
+    if (!(is_left(walk) && walk.turns > 0u && walk.depth < max_stack)) break;
   }
   turns += walk.turns;
   return !is_left(walk);
@@ -240,7 +240,7 @@ void main() {
   uint first_place = cluster_place();
   if (first_place >= clusters) return;
   box_tests = node_tests = node_hits = ray_tests = 0u;
-  uint turns = most_turns_in_all;
+  uint turns = max_turns_in_all;
   uint place = first_place;
   for (;;) {
     uint node = first_node + place;

@@ -1,6 +1,6 @@
 #version 460
 // Rays one by one through the object hierarchy. Those that need very many tests are left as they were, and listed: they
-// are walked in portions (single_on.comp). Lane: a ray.
+// are walked in pieces (single_resume.comp). Lane: a ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -20,9 +20,9 @@ layout(push_constant, scalar) uniform Push {
   uint triangle_account;
   uint listed;  // 1: rays are those of the list
 };
-layout(binding = 9, scalar) buffer Left {
-  uint left_count;
-  uint left[];  // rays, as in the list
+layout(binding = 9, scalar) buffer Unfinished {
+  uint unfinished_count;
+  uint unfinished[];  // rays, as in the list
 };
 layout(binding = 10, scalar) readonly buffer List {
   uint list_count;
@@ -39,9 +39,9 @@ void main() {
   uint id = first_ray + place;
   Ray ray = rays[id];
   Walk walk = Walk(0u, 0u, no_hit(ray), 0u, 0u);
-  walk_on(walk, ray, takes_any_hit(ray));
+  continue_walk(walk, ray, takes_any_hit(ray));
   bool done = walk.next == none;
-  if (!done) left[atomicAdd(left_count, 1u)] = place;
+  if (!done) unfinished[atomicAdd(unfinished_count, 1u)] = place;
   hits[id] = done ? walk.hit : no_hit(ray);
   uint box_tests = done ? walk.box_tests : 0u, triangle_tests = done ? walk.triangle_tests : 0u;
   ADD_COUNTER(box_counter, box_tests)

@@ -15,7 +15,7 @@ layout(binding = 8, scalar) readonly buffer BoxHigh { vec4 box_high[]; };
 
 /// Tests of a walk in one dispatch, about. A test is a turn of 3 loops at most; 16 lanes, each of them alone, come to
 /// less than the 65,535 turns after which lavapipe 22.3 ends loops silently.
-const uint most_tests = 1280u;
+const uint max_tests = 1280u;
 
 struct Walk {
   uint next;   // to be visited
@@ -69,8 +69,8 @@ void meet_leaf(inout Walk walk, Ray ray, Shear shear) {
   walk.next = is_inner(walk.next) ? walk.next : none;
 }
 
-/// Walks on until nothing is left (`next` is `none`), or for about `most_tests`.
-void walk_on(inout Walk walk, Ray ray, bool any_hit) {
+/// Walks on until nothing is left (`next` is `none`), or for about `max_tests`.
+void continue_walk(inout Walk walk, Ray ray, bool any_hit) {
   BoxRay box_ray = box_ray(ray.origin.xyz, ray.direction.xyz);
   Shear shear = shear_of(ray.direction.xyz);
   float limit = limit_of(ray, walk.hit, any_hit);
@@ -80,7 +80,7 @@ void walk_on(inout Walk walk, Ray ray, bool any_hit) {
       for (;;) {
         descend(walk, box_ray, limit);
         pop(walk, limit);
-        if (!(is_inner(walk.next) && walk.box_tests < most_tests)) break;
+        if (!(is_inner(walk.next) && walk.box_tests < max_tests)) break;
       }
     }
     meet_leaf(walk, ray, shear);
@@ -89,6 +89,6 @@ void walk_on(inout Walk walk, Ray ray, bool any_hit) {
     walk.depth = ended ? 0u : walk.depth;
     walk.next = ended ? none : walk.next;
     pop(walk, limit);
-    if (!(walk.next != none && walk.box_tests + walk.triangle_tests < most_tests)) break;
+    if (!(walk.next != none && walk.box_tests + walk.triangle_tests < max_tests)) break;
   }
 }

@@ -1,13 +1,13 @@
 #ifndef CRSH_LIB_CLUSTER_GLSL
 #define CRSH_LIB_CLUSTER_GLSL
 // A cluster: neighbouring lanes of a subgroup that walk together. The includer's `cluster` is their number, a power of
-// two, and 1 in "-alone" builds. They tell each other by shuffles only: on lavapipe a ballot takes as long as ten of
-// them.
+// two, and 1 in "-no-shuffle" builds. They tell each other by shuffles only: on lavapipe a ballot takes as long as ten
+// of them.
 
 #include "lib/invocation.glsl"
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 
-#ifdef CRSH_ALONE
+#ifdef CRSH_NO_SHUFFLE
 uint lane_in_cluster() { return 0u; }
 uint first_of_cluster() { return 0u; }
 /// A bit for each lane of the cluster where `value` holds.

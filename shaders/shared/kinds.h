@@ -25,11 +25,11 @@ CRSH_CONST uint ray_override = 64u;         ///< what --override-mirror makes of
 CRSH_CONST uint kind_count = 0u CRSH_RAY_KINDS(CRSH_ONE);
 #undef CRSH_ONE
 
-#define CRSH_ANY_HIT_BIT(name, number, properties) | (((properties)&ray_any_hit) != 0u ? 1u << number : 0u)
+#define CRSH_ANY_HIT_BIT(name, number, properties) | ((ray_any_hit & (properties)) != 0u ? 1u << number : 0u)
 CRSH_CONST uint any_hit_kinds = 0u CRSH_RAY_KINDS(CRSH_ANY_HIT_BIT);  ///< bit k: kind k
 #undef CRSH_ANY_HIT_BIT
 
-#define CRSH_CLOSEST_ONE(name, number, properties) +(((properties)&ray_any_hit) == 0u ? 1u : 0u)
+#define CRSH_CLOSEST_ONE(name, number, properties) +((ray_any_hit & (properties)) == 0u ? 1u : 0u)
 CRSH_CONST uint closest_kind_count = 0u CRSH_RAY_KINDS(CRSH_CLOSEST_ONE);
 #undef CRSH_CLOSEST_ONE
 

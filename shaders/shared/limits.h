@@ -11,7 +11,7 @@ CRSH_CONST uint block_triangles = 32u;
 /// Most triangles that a lane walks in one dispatch. lavapipe 22.3 ends loops silently after 65,535 turns an
 /// invocation, over all its loops. Each triangle takes three turns: one of the loop over the list, and one each of two
 /// loops where it is hit. Where subgroups of four lanes read the list together, every four triangles take two more.
-CRSH_CONST uint max_batch_triangles = 12288u;
+CRSH_CONST uint max_loop_triangles = 12288u;
 /// Most rays of a batch: a binding of 128 MiB holds so many of 32 bytes.
 CRSH_CONST uint max_batch_rays = 1u << 22;
 /// Where nodes are cut, one lane goes through a run of so many children. A node ends at the end of a run, too.

@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 layout(local_size_x = 64) in;
 #include "lib/counters.glsl"
 #include "lib/invocation.glsl"
@@ -15,7 +15,7 @@ layout(local_size_x = 64) in;
 #include "traversal/descend.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  Portion portion;
+  Slice slice;
   uint use_interval;
   uint tests_counter;
   uint hits_counter;
@@ -39,21 +39,21 @@ layout(binding = 12, scalar) readonly buffer CornersC { vec4 corner_c[]; };
 
 void main() {
   uint i = invocation_index();
-  uint place = min(i / portion.arity, portion.parent_count - 1u);
-  uvec2 children = children_of[portion.first_parent + place];
-  uint child_place = i % portion.arity;
-  bool present = i / portion.arity < portion.parent_count && children.x + child_place < children.y;
+  uint place = min(i / slice.arity, slice.parent_count - 1u);
+  uvec2 children = children_of[slice.first_parent + place];
+  uint child_place = i % slice.arity;
+  bool present = i / slice.arity < slice.parent_count && children.x + child_place < children.y;
   uint child = min(children.x + child_place, children.y - 1u);
-  uint base = portion.first_base + place;
+  uint base = slice.first_base + place;
   List list =
-      list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before, place, child_place);
+      list_of(slice, bases[base] - slice.pairs_before, bases[base + 1u] - slice.pairs_before, place, child_place);
   BOUND ray_node = nodes[child];
   Interval interval = intervals[child];
 
   uint hits = 0u;
   uint word = list.first_mask;
-  bool together = walk_together(list.begin, list.end);
-  uint own_end = together || !present ? list.begin : list.end;
+  bool common_list = same_list(list.begin, list.end);
+  uint own_end = common_list || !present ? list.begin : list.end;
   uint begin = list.begin;
   if (begin < own_end) {
     for (;;) {
@@ -69,7 +69,7 @@ void main() {
       if (begin >= own_end) break;
     }
   }
-  if (together && list.begin < list.end) {
+  if (common_list && list.begin < list.end) {
     for (;;) {
       uint count = min(32u, list.end - begin), mask = 0u, first = 0u;
       for (;;) {
@@ -90,7 +90,7 @@ void main() {
   }
 
   hits = present ? hits : 0u;
-  if (present) counts[child - portion.first_child] = hits;
+  if (present) counts[child - slice.first_child] = hits;
   uint tests = present ? list.end - list.begin : 0u;
   ADD_COUNTER(tests_counter, tests)
   ADD_COUNTER(hits_counter, hits)

@@ -1,7 +1,7 @@
 // Where the candidates of a child are: its parent's list of pairs, and the child's own words of the masks.
 
 /// A range of children and their parents' lists, for the kernel that tests and the one that emits pairs.
-struct Portion {
+struct Slice {
   uint first_child;  // of the level below
   uint child_count;
   uint first_parent;
@@ -19,7 +19,7 @@ struct List {
 
 /// Words have their places without another scan: those of a parent whose list begins at b begin at (b / 32 + the
 /// parent's place) × arity.
-List list_of(Portion portion, uint begin, uint end, uint parent_place, uint child_place) {
+List list_of(Slice slice, uint begin, uint end, uint parent_place, uint child_place) {
   uint words = (end - begin + 31u) / 32u;
-  return List(begin, end, (begin / 32u + parent_place) * portion.arity + child_place * words);
+  return List(begin, end, (begin / 32u + parent_place) * slice.arity + child_place * words);
 }

@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 #include "traversal/emit.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  Portion portion;
+  Slice slice;
   uint first_scanned;   // element of `scanned` that belongs to first_child
   uint emitted_before;  // value of that element
 };
@@ -23,13 +23,13 @@ layout(binding = 6, scalar) writeonly buffer Pairs { HitPair pairs[]; };
 
 void main() {
   uint i = invocation_index();
-  if (i >= portion.child_count) return;
-  uint child = portion.first_child + i;
+  if (i >= slice.child_count) return;
+  uint child = slice.first_child + i;
   uint parent = parents[child];
-  uint place_of_parent = parent - portion.first_parent;
-  uint base = portion.first_base + place_of_parent;
-  List list = list_of(portion, bases[base] - portion.pairs_before, bases[base + 1u] - portion.pairs_before,
-                      place_of_parent, child - children_of[parent].x);
+  uint place_of_parent = parent - slice.first_parent;
+  uint base = slice.first_base + place_of_parent;
+  List list = list_of(slice, bases[base] - slice.pairs_before, bases[base + 1u] - slice.pairs_before, place_of_parent,
+                      child - children_of[parent].x);
   uint place = scanned[first_scanned + i] - emitted_before;
   uint word = list.first_mask;
   for (uint begin = list.begin; begin < list.end; begin += 32u) {

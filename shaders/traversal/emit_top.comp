@@ -8,12 +8,12 @@ layout(local_size_x = 64) in;
 #include "traversal/emit.glsl"
 
 layout(push_constant, scalar) uniform Push {
-  uint first_node;   // of the tile, in its level
-  uint node_offset;  // first node to emit, in the tile
+  uint first_node;   // of the piece, in its level
+  uint node_offset;  // first node to emit, in the piece
   uint node_count;
   uint first_block;
   uint block_count;
-  uint pairs_before;  // pairs of the tile that lie before the first to emit
+  uint pairs_before;  // pairs of the piece that lie before the first to emit
 };
 layout(binding = 0, scalar) readonly buffer Blocks { uvec4 blocks[]; };
 layout(binding = 1, scalar) readonly buffer Masks { uint masks[]; };

@@ -5,15 +5,15 @@
 // too long, the subtrees that are not visited yet are put into the frontier as they are.
 //
 // Lane: a group. A cluster of lanes, whose groups are neighbours, walks together: it visits what any of them needs, and
-// a lane tests only what it needs itself. So one lane loads each box, for all of them. In the "-alone" build every lane
-// walks by itself.
+// a lane tests only what it needs itself. So one lane loads each box, for all of them. In the "-no-shuffle" build every
+// lane walks by itself.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 layout(local_size_x = 64) in;
-#ifdef CRSH_ALONE
+#ifdef CRSH_NO_SHUFFLE
 const uint cluster = 1u;
 #else
 const uint cluster = 4u;
@@ -24,7 +24,7 @@ const uint cluster = 4u;
 #include "shared/node.h"
 #include "shared/walk.h"
 #include "variant.glsl"
-#include "hierarchy/ready.glsl"
+#include "hierarchy/prepared.glsl"
 
 layout(push_constant, scalar) uniform Push {
   uint first_group;
@@ -43,8 +43,8 @@ layout(binding = 5, scalar) buffer Counters { uvec2 counters[]; };
 #include "lib/account.glsl"
 
 /// Most inner nodes that a cluster visits: lavapipe 22.3 ends loops silently after 65,535 turns.
-const uint most_visits = 1024u;
-const uint most_entries = frontier_room - 1u;
+const uint max_visits = 1024u;
+const uint max_entries = frontier_room - 1u;
 
 /// A child slot that one or more lanes of the cluster are to visit.
 struct Entry {
@@ -56,7 +56,7 @@ struct Entry {
 
 /// Flags that an entry of the stack has beside the slot.
 const uint is_small = 1u << 31, is_mine = 1u << 30;
-uvec2 stack[most_entries];
+uvec2 stack[max_entries];
 
 uvec2 packed(Entry entry) {
   return uvec2(entry.slot | (entry.small ? is_small : 0u) | (entry.mine ? is_mine : 0u), floatBitsToUint(entry.enter));
@@ -68,7 +68,7 @@ Entry unpacked(uvec2 word) {
 }
 
 /// The boxes of both children, of the slots 2 * node and after.
-#ifdef CRSH_ALONE
+#ifdef CRSH_NO_SHUFFLE
 #define BOXES(node, low0, high0, low1, high1)                                                  \
   vec4 low0 = box_low[2u * node], high0 = box_high[2u * node], low1 = box_low[2u * node + 1u], \
        high1 = box_high[2u * node + 1u];
@@ -83,9 +83,9 @@ Entry unpacked(uvec2 word) {
 #endif
 
 /// The entry of a child's box, tested where `wanted`: where this lane's group may have rays in the parent's box.
-Entry tested(READY group, float reach, bool wanted, uint slot, vec4 low, vec4 high) {
+Entry tested(PREPARED group, float reach, bool wanted, uint slot, vec4 low, vec4 high) {
   float enter;
-  bool hit = wanted && ready_may_hit_box(group, reach, low.xyz, high.xyz, enter);
+  bool hit = wanted && prepared_may_hit_box(group, reach, low.xyz, high.xyz, enter);
   uint visit = visit_of(low.w, high.w);
   bool small = floatBitsToUint(high.w) <= frontier_triangles || !is_inner(visit);
   return Entry(slot, small, hit && visit != none, enter);
@@ -104,7 +104,7 @@ void main() {
   uint i = lane_place();
   bool present = i < group_count;
   uint group_index = first_group + min(i, group_count - 1u);
-  READY group = ready(nodes[group_index], use_interval == 1u);
+  PREPARED group = prepare(nodes[group_index], use_interval == 1u);
   float reach = use_interval == 1u ? intervals[group_index].far_end : 3e38;
   first = i * frontier_room + 1u;
   count = 0u;
@@ -146,8 +146,8 @@ void main() {
         if (!in_hand) break;
       }
     }
-    bool room = lanes_of_cluster(count + depth + 2u > most_entries) == 0u;
-    if (!(next != none && visits < most_visits && room)) break;
+    bool room = lanes_of_cluster(count + depth + 2u > max_entries) == 0u;
+    if (!(next != none && visits < max_visits && room)) break;
   }
   if (next != none) put(entry);
   if (depth > 0u) {

@@ -7,7 +7,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/together.glsl"
+#include "lib/shuffle_read.glsl"
 layout(local_size_x = 64) in;
 #include "lib/counters.glsl"
 #include "lib/invocation.glsl"
@@ -56,8 +56,8 @@ void main() {
   Interval interval = intervals[first_node + node];
 
   uint mask = 0u;
-  bool together = walk_together(block.y, block.z);
-  uint own_end = together ? 0u : count;
+  bool common_list = same_list(block.y, block.z);
+  uint own_end = common_list ? 0u : count;
   if (own_end > 0u) {
     uint k = 0u;
     for (;;) {
@@ -65,7 +65,7 @@ void main() {
       if (++k >= own_end) break;
     }
   }
-  uint common_end = together && any_lane(count > 0u) ? block.z : 0u;
+  uint common_end = common_list && any_lane(count > 0u) ? block.z : 0u;
   if (common_end > 0u) {
     uint first = 0u;
     for (;;) {

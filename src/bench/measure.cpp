@@ -21,7 +21,7 @@ namespace crsh::bench {
 namespace {
 
 /// Devices without memory of their own may have little: variants whose lists sum up to more are not kept at once.
-constexpr uint64_t most_resident_bytes = uint64_t(1) << 30;
+constexpr uint64_t max_resident_bytes = uint64_t(1) << 30;
 
 using Clock = std::chrono::steady_clock;
 
@@ -184,7 +184,7 @@ class Measurement {
   [[nodiscard]] bool costs_too_much(const Result& from, const Result& brute) {
     const uint64_t pictures = schedule_.pictures ? 1 : 0;
     if (schedule_.budget_seconds <= 0)
-      return brute_force_tests(from.counters) > most_brute_force_tests / (1 + rounds_.sum() + pictures);
+      return brute_force_tests(from.counters) > max_brute_force_tests / (1 + rounds_.sum() + pictures);
     const double seconds = brute_force_seconds(device_, scene_, from, brute.variant), left = seconds_left();
     const double others = seconds_a_round();
     const Rounds rounds = rounds_that_fit(rounds_, left, others > 0 ? others : seconds);
@@ -227,7 +227,7 @@ class Measurement {
       for (size_t i = 0; i < results_.size(); ++i)
         if (!is_repeated(results_[i])) work_.next(results_[i].variant.timed ? results_[i].variant.seconds.size() : 0);
         else if (resident) time_again(*renderers[i], results_[i], round >= rounds_.warmup, place);
-        else time_alone(results_[i], round >= rounds_.warmup, place);
+        else time_anew(results_[i], round >= rounds_.warmup, place);
   }
 
   /// It is traced, and not only for its counters.
@@ -238,7 +238,7 @@ class Measurement {
     const uint64_t budget = device_.request().memory_budget;
     uint64_t sum = 0;
     for (const Result& result : results_) sum += is_repeated(result) ? result.counters.device_peak_bytes : 0;
-    return sum <= (budget ? budget : most_resident_bytes);
+    return sum <= (budget ? budget : max_resident_bytes);
   }
 
   std::unique_ptr<Renderer> renderer_of(const Result& result) {
@@ -252,7 +252,7 @@ class Measurement {
     (void)renderer.render(result.variant.seconds.front(), [&](double) { work_.show(0); });
   }
 
-  void time_alone(Result& result, bool counted, uint32_t& place) {
+  void time_anew(Result& result, bool counted, uint32_t& place) {
     const auto renderer = renderer_of(result);
     begin(*renderer, result);
     time(*renderer, result, counted, place);

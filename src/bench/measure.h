@@ -56,7 +56,7 @@ struct Schedule {
 };
 
 /// Without a budget, brute force is not traced where all its frames together have more tests than this.
-inline constexpr uint64_t most_brute_force_tests = 3'000'000'000;
+inline constexpr uint64_t max_brute_force_tests = 3'000'000'000;
 
 /// Called with 0..1 of all the work.
 using Progress = std::function<void(double)>;

@@ -13,7 +13,7 @@
 namespace crsh::bench {
 namespace {
 
-constexpr double most_triangles = 1e6;
+constexpr double max_triangles = 1e6;
 
 /// A scene and what changes of the variants' options at one size.
 struct Size {
@@ -24,7 +24,7 @@ struct Size {
 
 std::vector<Size> triangle_sizes(const scene::Scene& scene) {
   const double triangles = double(std::max<uint64_t>(scene.triangle_count(), 1));
-  const auto last = static_cast<uint32_t>(std::max(1.0, std::round(std::sqrt(most_triangles / triangles))));
+  const auto last = static_cast<uint32_t>(std::max(1.0, std::round(std::sqrt(max_triangles / triangles))));
   std::vector<Size> sizes;
   for (uint32_t n = 1; n < last; n *= 2) sizes.push_back({triangles * n * n, n});
   // Not twice nearly the same.
@@ -71,9 +71,9 @@ std::vector<Size> light_sizes(const scene::Scene& scene, const RenderOptions& op
   return sizes;
 }
 
-std::vector<Size> sizes_of(SweepKind kind, const scene::Scene& scene, const RenderOptions& options) {
-  if (kind == SweepKind::triangles) return triangle_sizes(scene);
-  return kind == SweepKind::pixels ? pixel_sizes(options) : light_sizes(scene, options);
+std::vector<Size> sizes_of(SweepAxis axis, const scene::Scene& scene, const RenderOptions& options) {
+  if (axis == SweepAxis::triangles) return triangle_sizes(scene);
+  return axis == SweepAxis::pixels ? pixel_sizes(options) : light_sizes(scene, options);
 }
 
 double tests_of(const Result& result) { return double(sums_of(result, {}).total); }
@@ -87,7 +87,7 @@ std::vector<Variant> affordable(const std::vector<Variant>& variants, const std:
     if (!steps.empty()) {
       const auto same = [&](const Result& result) { return result.variant.label == variant.label; };
       const auto last = std::ranges::find_if(steps.back().results, same);
-      if (last == steps.back().results.end() || tests_of(*last) * size / steps.back().size > most_sweep_tests) continue;
+      if (last == steps.back().results.end() || tests_of(*last) * size / steps.back().size > max_sweep_tests) continue;
     }
     chosen.push_back(variant);
   }
@@ -132,10 +132,10 @@ std::vector<std::string> growth_row(const Line& line) {
 
 }  // namespace
 
-std::vector<SweepStep> sweep(SweepKind kind, gpu::Device& device, const scene::Scene& scene,
+std::vector<SweepStep> sweep(SweepAxis axis, gpu::Device& device, const scene::Scene& scene,
                              const std::vector<Variant>& variants, const Schedule& schedule, const Progress& progress) {
   std::vector<SweepStep> steps;
-  const std::vector<Size> sizes = sizes_of(kind, scene, variants.front().options);
+  const std::vector<Size> sizes = sizes_of(axis, scene, variants.front().options);
   for (size_t i = 0; i < sizes.size(); ++i) {
     const scene::Scene finer = subdivided(scene, sizes[i].cuts);
     std::vector<Variant> chosen = affordable(variants, steps, sizes[i].size);
@@ -146,8 +146,8 @@ std::vector<SweepStep> sweep(SweepKind kind, gpu::Device& device, const scene::S
   return steps;
 }
 
-ChartSection sweep_section(SweepKind kind, const std::string& scene, const std::vector<SweepStep>& steps) {
-  const std::string& name = sweep_names[static_cast<size_t>(kind)];
+ChartSection sweep_section(SweepAxis axis, const std::string& scene, const std::vector<SweepStep>& steps) {
+  const std::string& name = sweep_names[static_cast<size_t>(axis)];
   ChartSection section{.title = fmt::format("{}: growth with {}", scene, name), .svg = {}, .table = {}};
   section.table = {.title = fmt::format("Growth with {}: {}", name, scene),
                    .columns = {upper(name), "ALL TESTS", "TRACING MS", "SECONDARY MS", "BUILD MS", "RASTER MS"}};
@@ -168,7 +168,7 @@ ChartSection sweep_section(SweepKind kind, const std::string& scene, const std::
       "TRACING: traversal and intersection; SECONDARY: from ray creation to there, sorting and ray hierarchy included; "
       "BUILD: the object hierarchy in the first frame.\nA line ends where the next size would need more than {} tests "
       "a frame.",
-      count_text(static_cast<uint64_t>(most_sweep_tests)));
+      count_text(static_cast<uint64_t>(max_sweep_tests)));
   section.svg = curves_svg(curves, name, "tracing, ms", section.title);
   return section;
 }

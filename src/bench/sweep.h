@@ -9,7 +9,7 @@
 
 namespace crsh::bench {
 
-enum class SweepKind { triangles, pixels, lights };
+enum class SweepAxis { triangles, pixels, lights };
 inline const std::vector<std::string> sweep_names = {"triangles", "pixels", "lights"};
 
 /// One size of a sweep.
@@ -22,13 +22,13 @@ struct SweepStep {
 [[nodiscard]] scene::Scene subdivided(const scene::Scene& scene, uint32_t n);
 
 /// Runs all variants but brute force at every size, those of one size in turn. A variant whose next size would need
-/// more than `most_sweep_tests` a frame ends there.
-[[nodiscard]] std::vector<SweepStep> sweep(SweepKind kind, gpu::Device& device, const scene::Scene& scene,
+/// more than `max_sweep_tests` a frame ends there.
+[[nodiscard]] std::vector<SweepStep> sweep(SweepAxis axis, gpu::Device& device, const scene::Scene& scene,
                                            const std::vector<Variant>& variants, const Schedule& schedule,
                                            const Progress& progress);
-inline constexpr double most_sweep_tests = 2e9;
+inline constexpr double max_sweep_tests = 2e9;
 
 /// Curves of tracing time, and every figure with the growth from the first size to the last.
-[[nodiscard]] ChartSection sweep_section(SweepKind kind, const std::string& scene, const std::vector<SweepStep>& steps);
+[[nodiscard]] ChartSection sweep_section(SweepAxis axis, const std::string& scene, const std::vector<SweepStep>& steps);
 
 }  // namespace crsh::bench

@@ -145,7 +145,7 @@ bench::Table ablate(const BenchCommand& command, const std::string& algorithm, S
 }
 
 /// Of each scene in turn, with a tenth of the frames.
-std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::SweepKind kind, Stage& stage) {
+std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::SweepAxis axis, Stage& stage) {
   bench::Schedule schedule = command.schedule;
   schedule.repeat = std::max(1u, schedule.repeat / 10);
   schedule.budget_seconds = 0;
@@ -153,8 +153,8 @@ std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::Sweep
   std::vector<bench::ChartSection> sections;
   for (size_t i = 0; i < stage.scenes.size(); ++i) {
     const auto variants = variants_of(command, command.scenes[i]);
-    const auto steps = bench::sweep(kind, stage.device, stage.scenes[i], variants, schedule, stage.next());
-    sections.push_back(bench::sweep_section(kind, name_of(command, i), steps));
+    const auto steps = bench::sweep(axis, stage.device, stage.scenes[i], variants, schedule, stage.next());
+    sections.push_back(bench::sweep_section(axis, name_of(command, i), steps));
   }
   return sections;
 }
@@ -229,8 +229,8 @@ void run_bench(BenchCommand& command, const std::vector<std::string>& line) {
   Found found;
   for (size_t i = 0; i < scenes.size(); ++i) found.scenes.push_back(run_scene(command, i, stage));
   for (const std::string& algorithm : ablated) found.ablations.push_back(ablate(command, algorithm, stage));
-  for (const bench::SweepKind kind : command.sweeps)
-    for (bench::ChartSection& section : sweep(command, kind, stage)) found.sweeps.push_back(std::move(section));
+  for (const bench::SweepAxis axis : command.sweeps)
+    for (bench::ChartSection& section : sweep(command, axis, stage)) found.sweeps.push_back(std::move(section));
   judge_hierarchies(stage, found);
   progress.clear();
   write_files(command, line, found, stage);

@@ -158,7 +158,7 @@ Option ablate_row(std::optional<std::vector<std::string>>& ablate) {
       .words = words};
 }
 
-Option sweep_row(std::vector<bench::SweepKind>& sweeps) {
+Option sweep_row(std::vector<bench::SweepAxis>& sweeps) {
   return {
       .names = "--sweep",
       .value = "LIST",
@@ -169,7 +169,7 @@ Option sweep_row(std::vector<bench::SweepKind>& sweeps) {
           [&sweeps](const std::string& text) {
             sweeps.clear();
             for (const std::string& name : split(text, ','))
-              sweeps.push_back(static_cast<bench::SweepKind>(parse_choice(name, bench::sweep_names)));
+              sweeps.push_back(static_cast<bench::SweepAxis>(parse_choice(name, bench::sweep_names)));
           },
       .initial = "none",
       .words = bench::sweep_names};

@@ -34,7 +34,7 @@ struct BenchCommand {
   std::vector<BenchScene> scenes;
   std::vector<std::string> algorithms;
   std::vector<Vary> vary;
-  std::vector<bench::SweepKind> sweeps;
+  std::vector<bench::SweepAxis> sweeps;
   std::optional<std::vector<std::string>> ablate;  ///< presets; none: ours, for a report
   std::vector<Given> given;                        ///< for every scene
   RenderCommand common;                            ///< what they say: device, time, progress

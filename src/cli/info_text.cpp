@@ -80,7 +80,7 @@ std::string clauses_text(const std::vector<std::string>& clauses) {
 Json limits_json(const gpu::StageLimits& available) {
   Json json;
   for (const gpu::StageLimit& limit : gpu::stage_limits)
-    json[limit.key] = {{"needed", gpu::most_needed().*limit.value}, {"available", available.*limit.value}};
+    json[limit.key] = {{"needed", gpu::max_needed().*limit.value}, {"available", available.*limit.value}};
   return json;
 }
 
@@ -93,7 +93,7 @@ std::string devices_text(const std::vector<gpu::DeviceInfo>& devices) {
         "{}: {}\n   {}, driver {} {}, Vulkan {}, subgroups of {}\n   UUID {}\n   needs {}\n   "
         "{}\n",
         device.index, device.name, device.type, device.driver, device.driver_version, device.api_version,
-        device.subgroup_size, device.uuid, gpu::needs_text(device.stage, gpu::most_needed()),
+        device.subgroup_size, device.uuid, gpu::needs_text(device.stage, gpu::max_needed()),
         device.unusable.empty() ? "usable" : "not usable: " + device.unusable);
   return text;
 }

@@ -73,7 +73,7 @@ void decompress(gpu::Recorder& recorder, CompressScratch& scratch, const Chunks&
                      {"sorted_bases", scratch.sorted_bases}},
                     chunks.count);
   primitives::scan(recorder, scratch.scan, scratch.skeleton, scratch.skeleton, uint64_t(chunks.count) + 1,
-                   primitives::ScanKind::exclusive);
+                   primitives::ScanType::exclusive);
   const FillShape shape = fill_shape(recorder.device());
   recorder.dispatch(gpu::Kernel("coherence/decompress", {{0, shape.group}, {1, shape.run}}),
                     (uint64_t(ray_count) + shape.run - 1) / shape.run, DecompressPush{ray_count, chunks.count},

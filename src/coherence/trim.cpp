@@ -35,7 +35,7 @@ void trim(gpu::Recorder& recorder, TrimScratch& scratch, const gpu::Buffer& spar
   recorder.stage(Stage::ray_creation);
   grow(recorder, out.ends, quad_bytes(slot_count), "rays.ends");
   if (slot_count > 0) {
-    primitives::scan(recorder, scratch.scan, flags, out.ends, slot_count, primitives::ScanKind::inclusive);
+    primitives::scan(recorder, scratch.scan, flags, out.ends, slot_count, primitives::ScanType::inclusive);
     place_segments(out, read_segment_ends(recorder, scratch, out));
   } else {
     place_segments(out, std::vector<uint32_t>(out.segments.size()));

@@ -38,12 +38,12 @@ struct DeviceInfo {
 };
 
 struct DeviceRequest {
-  std::string selector;         ///< index, part of the name, or UUID; empty: a real GPU before a software device
-  uint64_t memory_budget = 0;   ///< bytes that all buffers and images together may take; 0: no bound
-  bool validation = false;      ///< validation and synchronisation validation layers, any message is counted
+  std::string selector;        ///< index, part of the name, or UUID; empty: a real GPU before a software device
+  uint64_t memory_budget = 0;  ///< bytes that all buffers and images together may take; 0: no bound
+  bool validation = false;     ///< validation and synchronisation validation layers, any message is counted
   std::function<void(const std::string&)> on_validation;  ///< gets each message; none: standard error
   bool no_ray_queries = false;  ///< as if the device had none (tests of what other devices do)
-  bool walk_alone = false;      ///< lanes never read a list together (tests of what other devices run)
+  bool no_shuffles = false;     ///< lanes never read a list together (tests of what other devices run)
   /// of the instance, as the window system asks for them; empty: no window
   std::vector<std::string> window_extensions;
   uint64_t max_texels = 0;      ///< as if texel buffers held no more (tests); 0: what the device says

@@ -20,20 +20,22 @@ template <class T>
 class PerKind {
  public:
   /// All empty, where T can be that; a number has to be said.
-  constexpr PerKind() requires std::is_class_v<T>
-  = default;
+  template <class Value = T, std::enable_if_t<std::is_class_v<Value>, int> = 0>
+  constexpr PerKind() {}
 
-  constexpr explicit PerKind(const T& all) requires std::copyable<T> { fill(all); }
+  template <std::copyable Value = T>
+  constexpr explicit PerKind(const std::type_identity_t<Value>& all) {
+    fill(all);
+  }
 
   template <std::invocable<uint32_t> Of>
   constexpr explicit PerKind(const Of& of) {
     for (uint32_t kind = 0; kind < kind_count; ++kind) values_[kind] = of(kind);
   }
 
-  template <class... Values>
-  requires(sizeof...(Values) == kind_count && kind_count > 1 &&
-           (std::convertible_to<Values, T> && ...)) constexpr PerKind(Values&&... values)
-      : values_{T(std::forward<Values>(values))...} {}
+  template <std::convertible_to<T>... Values,
+            std::enable_if_t<sizeof...(Values) == kind_count && (kind_count > 1), int> = 0>
+  constexpr PerKind(Values&&... values) : values_{T(std::forward<Values>(values))...} {}
 
   constexpr void fill(const T& value) { std::ranges::fill(values_, value); }
   [[nodiscard]] constexpr T& operator[](size_t kind) { return values_[kind]; }

@@ -49,7 +49,7 @@ bool is_closest(const rays::Wanted& wanted) { return !ray_kinds[wanted.kind].any
 bool casts_closest(const rays::BatchPlan& plan) { return std::ranges::any_of(plan.segments, is_closest); }
 
 /// Most surfaces that the plans can add to the next generation; asserted against what a binding holds.
-uint32_t most_children(Renderer::State& s, const std::vector<rays::BatchPlan>& plans) {
+uint32_t max_children(Renderer::State& s, const std::vector<rays::BatchPlan>& plans) {
   uint64_t slots = 0;
   for (const rays::BatchPlan& plan : plans)
     slots += uint64_t(plan.surfaces) * std::ranges::count_if(plan.segments, is_closest);
@@ -81,7 +81,7 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
                                                                  .kinds = rays::kinds_at(s.options, bounce),
                                                                  .mixed = s.options.algorithm.mixed_batches});
   drop_children(s, generation);
-  const uint32_t room = most_children(s, plans);
+  const uint32_t room = max_children(s, plans);
   const auto closest_plans = std::count_if(plans.begin(), plans.end(), casts_closest);
   next.count = 0;
   for (const rays::BatchPlan& plan : plans) {

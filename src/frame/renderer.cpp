@@ -129,7 +129,7 @@ void attempt_in_portions(Renderer::State& s, const Frame& frame) {
 uint64_t least_memory(Renderer::State& s, const Frame& frame) {
   drop_lists(s);
   s.structures.objects = {};  // its build is measured, too
-  s.most_pairs = frugal_pairs;
+  s.max_pairs = frugal_pairs;
   s.device.forget_peak();
   attempt_in_portions(s, frame);
   return (s.device.peak_bytes() >> 20) + 1;
@@ -171,7 +171,7 @@ void run(Renderer::State& s, const Frame& frame) {
     return finish(s);
   } catch (const gpu::OutOfMemory&) {
     drop_lists(s);
-    s.most_pairs = frugal_pairs;
+    s.max_pairs = frugal_pairs;
   }
   try {
     attempt_in_portions(s, frame);

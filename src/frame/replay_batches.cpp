@@ -62,7 +62,7 @@ std::vector<ReplayBatch> replay_batches(const RayTable& table, const AlgorithmOp
     new_batch |= before && !options.mixed_batches && before->kind != place.kind;
     new_batch |= before && batches.back().rows.size() == shared::max_batch_rays;
     bool new_segment = new_batch || before->segment_key() != place.segment_key();
-    new_batch |= new_segment && !batches.empty() && batches.back().segments.size() == rays::most_segments;
+    new_batch |= new_segment && !batches.empty() && batches.back().segments.size() == rays::max_segments;
     if (new_batch) batches.push_back({place.bounce, {}, {}});
     ReplayBatch& batch = batches.back();
     const auto first = static_cast<uint32_t>(batch.rows.size());

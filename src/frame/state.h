@@ -73,7 +73,7 @@ struct Renderer::State {
   BatchBuffers batch;
   shading::Film film;
   uint32_t portion = 1u << 20;  ///< pixels that are traced together
-  uint64_t most_pairs = 0;      ///< of a candidate list; 0: as memory allows
+  uint64_t max_pairs = 0;       ///< of a candidate list; 0: as memory allows
   Statistics statistics;        ///< of all finished frames
   Statistics frame_statistics;  ///< of the frame under way
   Dump dump;

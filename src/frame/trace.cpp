@@ -10,15 +10,15 @@ namespace {
 /// Those that a layer shows.
 hierarchy::WantedTests wanted_tests(const shading::Film& film) {
   hierarchy::WantedTests wanted{};
-  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    wanted[kind] = film.layers.has(shading::layer_of_tests(kind));
+  for (uint32_t type = 0; type < shared::tests_count; ++type)
+    wanted[type] = film.layers.has(shading::layer_of_tests(type));
   return wanted;
 }
 
 trace::TestsByPixel tests_by_pixel(const shading::Film& film, const hierarchy::WantedTests& wanted) {
   trace::TestsByPixel tests{};
-  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    if (wanted[kind]) tests[kind] = &film.of(shading::layer_of_tests(kind));
+  for (uint32_t type = 0; type < shared::tests_count; ++type)
+    if (wanted[type]) tests[type] = &film.of(shading::layer_of_tests(type));
   return tests;
 }
 
@@ -46,7 +46,7 @@ void trace_rays(Renderer::State& s, uint32_t bounce, const trace::RayNames& name
                                                          .options = s.options,
                                                          .counters = *s.counters,
                                                          .bounce = bounce,
-                                                         .most_pairs = s.most_pairs,
+                                                         .max_pairs = s.max_pairs,
                                                          .wanted = wanted,
                                                          .workspace = s.batch.tracing});
   trace::tally(s.recorder, traced, tests_by_pixel(s.film, wanted), s.frame_statistics);

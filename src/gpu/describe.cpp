@@ -110,7 +110,7 @@ std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties&
   const bool subgroups = (properties.v11.subgroupSupportedOperations & wanted) == wanted &&
                          (properties.v11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
   if (!subgroups) return "its compute shaders have no subgroup ballot and arithmetic";
-  return too_few(stage_limits_of(core.limits), most_needed());
+  return too_few(stage_limits_of(core.limits), max_needed());
 }
 
 }  // namespace

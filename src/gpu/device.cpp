@@ -137,7 +137,7 @@ uint32_t Device::memory_type(uint32_t allowed, bool host_visible) const {
   return type;
 }
 
-void Device::account(uint64_t bytes, uint32_t heap, std::string_view name) {
+void Device::count_memory(uint64_t bytes, uint32_t heap, std::string_view name) {
   const uint64_t sum = allocated_ + bytes;
   if (request_.memory_budget && sum > request_.memory_budget)
     throw OutOfMemory(std::string(name), sum, request_.memory_budget);
@@ -155,9 +155,9 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements, bool h
   VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};
   flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
   if (info_.ray_queries) info.pNext = &flags;
-  const std::lock_guard lock(account_mutex_);
+  const std::lock_guard lock(memory_mutex_);
   const uint64_t before = peak_;
-  if (!host_visible) account(requirements.size, memory_.memoryTypes[info.memoryTypeIndex].heapIndex, name);
+  if (!host_visible) count_memory(requirements.size, memory_.memoryTypes[info.memoryTypeIndex].heapIndex, name);
   VkDeviceMemory memory = VK_NULL_HANDLE;
   const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory);
   if (result == VK_SUCCESS) return memory;
@@ -171,7 +171,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements, bool h
 void Device::release(VkDeviceMemory memory, uint64_t counted) {
   if (!memory) return;
   vkFreeMemory(device_, memory, nullptr);
-  const std::lock_guard lock(account_mutex_);
+  const std::lock_guard lock(memory_mutex_);
   CRSH_ASSERT(counted <= allocated_, "more memory was released than allocated");
   allocated_ -= counted;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// One Vulkan 1.3 device with one graphics and compute queue, and the account of its memory.
+// One Vulkan 1.3 device with one graphics and compute queue, and what of its memory is in use.
 
 #include <vulkan/vulkan.h>
 
@@ -27,11 +27,13 @@ using crsh::DeviceInfo;
 using crsh::DeviceRequest;
 using crsh::StageLimits;
 
+using StageValue = uint32_t StageLimits::*;
+
 /// All of StageLimits, in words.
 struct StageLimit {
   const char* name;
   const char* key;  ///< in JSON
-  uint32_t StageLimits::*value;
+  StageValue value;
 };
 inline constexpr StageLimit stage_limits[] = {
     {"storage buffers", "storage_buffers", &StageLimits::storage_buffers},
@@ -87,10 +89,10 @@ class Device {
   void set_memory_budget(uint64_t bytes) { request_.memory_budget = bytes; }
   void forget_peak() { peak_ = allocated_; }
   /// Whether kernels may pass values between lanes.
-  [[nodiscard]] bool may_shuffle() const { return info_.shuffles && !request_.walk_alone; }
-  /// What follows the name of a kernel that comes in two builds (lib/together.glsl): nothing where subgroups read lists
-  /// together, which pays on a CPU, or "-alone".
-  [[nodiscard]] const char* lanes() const { return info_.software && may_shuffle() ? "" : "-alone"; }
+  [[nodiscard]] bool may_shuffle() const { return info_.shuffles && !request_.no_shuffles; }
+  /// What follows the name of a kernel that comes in two builds (lib/shuffle_read.glsl): nothing where subgroups read
+  /// lists together, which pays on a CPU, or "-no-shuffle".
+  [[nodiscard]] const char* lane_variant() const { return info_.software && may_shuffle() ? "" : "-no-shuffle"; }
   /// Pipelines are made anew at their next use. None may be in use.
   void forget_programs();
   /// Milliseconds that the host has spent making pipelines since the last call.
@@ -131,7 +133,7 @@ class Device {
   Device();
   void create_device();
   void load_label_functions();
-  void account(uint64_t bytes, uint32_t heap, std::string_view name);
+  void count_memory(uint64_t bytes, uint32_t heap, std::string_view name);
   [[nodiscard]] uint32_t memory_type(uint32_t allowed, bool host_visible) const;
 
   DeviceRequest request_;
@@ -145,7 +147,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   uint64_t allocated_ = 0, peak_ = 0;
   double pipeline_ms_ = 0;
-  std::mutex queue_mutex_, account_mutex_;
+  std::mutex queue_mutex_, memory_mutex_;
   PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
   PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;

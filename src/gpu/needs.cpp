@@ -48,7 +48,7 @@ StageLimits needs_of(const Reflection& reflection) {
   return needed;
 }
 
-const StageLimits& most_needed() {
+const StageLimits& max_needed() {
   static const StageLimits needed = find_most_needed();
   return needed;
 }

@@ -13,7 +13,7 @@ namespace crsh::gpu {
 [[nodiscard]] StageLimits needs_of(const Reflection& reflection);
 
 /// The most that any embedded shader needs, by reflection.
-[[nodiscard]] const StageLimits& most_needed();
+[[nodiscard]] const StageLimits& max_needed();
 
 /// "it binds 8 storage buffers a stage, 16 are needed" for the first limit that does not suffice, or empty.
 [[nodiscard]] std::string too_few(const StageLimits& available, const StageLimits& needed);

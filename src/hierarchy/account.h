@@ -17,7 +17,7 @@
 
 namespace crsh::hierarchy {
 
-/// Which kinds of tests are wanted, by shared::tests_*.
+/// Which types of tests are wanted, by shared::tests_*.
 using WantedTests = std::array<bool, shared::tests_count>;
 
 /// The rays of a batch and the surfaces that they come from.
@@ -30,7 +30,7 @@ struct AccountIn {
 };
 
 /// One word a ray, in creation order, and one a node of each level. A kernel that tests is dispatched as kernel(path),
-/// binds buffer_or(any buffer), and has first(kind, level) pushed. With an account that nothing is asked of, as
+/// binds buffer_or(any buffer), and has first(type, level) pushed. With an account that nothing is asked of, as
 /// no_account, the kernel is compiled without it.
 class Account {
  public:
@@ -41,17 +41,17 @@ class Account {
   [[nodiscard]] gpu::Kernel kernel(std::string path, std::vector<std::pair<uint32_t, uint32_t>> constants = {}) const;
   /// The buffer to bind: the account's, or `stand_in`, which is not used, where nothing is wanted.
   [[nodiscard]] const gpu::Buffer& buffer_or(const gpu::Buffer& stand_in) const;
-  /// Slot of ray 0 (level 0) or of node 0 of a level; 0 where this kind is not wanted. Rays are tested against
+  /// Slot of ray 0 (level 0) or of node 0 of a level; 0 where this type is not wanted. Rays are tested against
   /// triangles and objects, nodes count as tests_node or tests_object.
-  [[nodiscard]] uint32_t first(uint32_t kind, uint32_t level) const;
+  [[nodiscard]] uint32_t first(uint32_t type, uint32_t level) const;
 
-  [[nodiscard]] bool wants(uint32_t kind) const { return wanted_[kind]; }
-  /// Adds the batch's tests of this kind to `tests`: uvec2 a pixel of the image, 64-bit fixed point.
-  void share(gpu::Recorder& recorder, const AccountIn& in, uint32_t kind, const gpu::Buffer& tests) const;
+  [[nodiscard]] bool wants(uint32_t type) const { return wanted_[type]; }
+  /// Adds the batch's tests of this type to `tests`: uvec2 a pixel of the image, 64-bit fixed point.
+  void share(gpu::Recorder& recorder, const AccountIn& in, uint32_t type, const gpu::Buffer& tests) const;
 
  private:
-  void share_rays(gpu::Recorder& recorder, const AccountIn& in, uint32_t kind, const gpu::Buffer& tests) const;
-  void share_nodes(gpu::Recorder& recorder, const AccountIn& in, uint32_t kind, uint32_t level,
+  void share_rays(gpu::Recorder& recorder, const AccountIn& in, uint32_t type, const gpu::Buffer& tests) const;
+  void share_nodes(gpu::Recorder& recorder, const AccountIn& in, uint32_t type, uint32_t level,
                    const gpu::Buffer& tests) const;
 
   WantedTests wanted_{};

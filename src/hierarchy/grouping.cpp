@@ -140,7 +140,7 @@ uint32_t wanted_levels(const In& in, size_t s) {
 void group(gpu::Recorder& recorder, const In& in, const std::vector<Range>& below, uint32_t index, Hierarchy& out) {
   Level& level = out.levels[index];
   level.child_segments = below;
-  level.most_children = in.options.arity;
+  level.max_children = in.options.arity;
   level.cut_children.clear();
   is_cut(in, index) ? group_cut(recorder, in, below, index, out) : group_fixed(recorder, in, below, index, out);
 }

@@ -14,7 +14,7 @@ namespace {
 
 /// Where nodes may hold more rays than this, their bounds are merged from the level below and not fitted to the rays:
 /// the lane that fits a bound loops over all its rays, and lavapipe 22.3 ends loops after 65,535 turns.
-constexpr uint64_t most_fitted_rays = 8192;
+constexpr uint64_t max_fitted_rays = 8192;
 
 /// The constants in which a bound's file says its size and how it is merged, by constant_id (shaders/hierarchy/bounds).
 constexpr uint32_t bound_bytes_id = 9, bound_merge_fits_id = 10;
@@ -44,8 +44,8 @@ std::vector<Range> ray_ranges(const In& in) {
 /// Whether a level's bounds are fitted to all rays below; else they are merged from the bounds of their children.
 bool is_fitted(const AlgorithmOptions& options, uint32_t index) {
   uint64_t rays_a_node = 1;
-  for (uint32_t l = 0; l <= index && rays_a_node <= most_fitted_rays; ++l) rays_a_node *= options.arity;
-  return options.fit == Fit::all && rays_a_node <= most_fitted_rays && !declared(options.bound, bound_merge_fits_id);
+  for (uint32_t l = 0; l <= index && rays_a_node <= max_fitted_rays; ++l) rays_a_node *= options.arity;
+  return options.fit == Fit::all && rays_a_node <= max_fitted_rays && !declared(options.bound, bound_merge_fits_id);
 }
 
 /// Makes the bounds of one level.
@@ -98,7 +98,7 @@ Range Level::children_of(Range wanted) const {
   const auto boundary = [&](uint32_t node, uint32_t past) {  // first child of the node `past` places after `node`
     size_t s = 0;
     while (s + 1 < segments.size() && node >= segments[s].end()) ++s;
-    const uint32_t child = child_segments[s].first + (node + past - segments[s].first) * most_children;
+    const uint32_t child = child_segments[s].first + (node + past - segments[s].first) * max_children;
     return std::min(child, child_segments[s].end());
   };
   const uint32_t first = boundary(wanted.first, 0);

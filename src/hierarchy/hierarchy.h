@@ -32,7 +32,7 @@ struct Level {
   uint32_t count = 0;
   std::vector<Range> segments;           ///< nodes by segment of the batch
   std::vector<Range> child_segments;     ///< their children by segment, on the level below
-  uint32_t most_children = 0;            ///< of a node
+  uint32_t max_children = 0;             ///< of a node
   std::vector<glm::uvec2> cut_children;  ///< `children`, where nodes are cut and not of one size
 
   /// The children of a run of nodes, on the level below.

@@ -12,7 +12,7 @@ namespace crsh::hierarchy {
 namespace {
 
 /// About how many runs of a segment are looked at: some ten thousand rays.
-constexpr uint32_t most_runs = 256;
+constexpr uint32_t max_runs = 256;
 
 /// Which runs of a segment's rays are looked at: every `stride`-th one, by a lane each, with so many rays in all.
 struct Sample {
@@ -20,7 +20,7 @@ struct Sample {
 };
 
 Sample sample_of(uint32_t rays) {
-  const uint32_t runs = (rays + shared::cut_run - 1) / shared::cut_run, stride = (runs + most_runs - 1) / most_runs;
+  const uint32_t runs = (rays + shared::cut_run - 1) / shared::cut_run, stride = (runs + max_runs - 1) / max_runs;
   const uint32_t lanes = (runs + stride - 1) / stride;
   const uint32_t last = (lanes - 1) * stride * shared::cut_run;
   return {stride, lanes, (lanes - 1) * shared::cut_run + std::min(shared::cut_run, rays - last)};

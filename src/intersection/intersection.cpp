@@ -17,16 +17,16 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
   recorder.stage(Stage::final_intersection);
   const hierarchy::Level& level = hierarchy.levels.front();
   const struct {
-    uint32_t first_node, node_count, most_rays, first_base, pairs_before, tests_counter, first_account;
+    uint32_t first_node, node_count, max_rays, first_base, pairs_before, tests_counter, first_account;
   } push{candidates.first_node,
          candidates.end_node - candidates.first_node,
-         level.most_children,
+         level.max_children,
          candidates.first_base,
          candidates.pairs_before,
          in.counter_row + shared::counter_triangle_tests,
          in.account.first(shared::tests_triangle, 0)};
-  recorder.dispatch(in.account.kernel(std::string("intersection/candidates") + recorder.device().lanes()),
-                    uint64_t(push.node_count) * push.most_rays, push,
+  recorder.dispatch(in.account.kernel(std::string("intersection/candidates") + recorder.device().lane_variant()),
+                    uint64_t(push.node_count) * push.max_rays, push,
                     {{"corner_a", in.scene.corner_a},
                      {"corner_b", in.scene.corner_b},
                      {"corner_c", in.scene.corner_c},
@@ -39,7 +39,7 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
                      {"pairs", candidates.pairs},
                      {"counters", in.counters},
                      {"account", in.account.buffer_or(in.counters)}},
-                    candidates.count * level.most_children);
+                    candidates.count * level.max_children);
   recorder.submit_past(in.submit_work);
   recorder.stage(Stage::hierarchy_traversal);
 }
@@ -48,20 +48,20 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
   if (segment.count == 0) return;
   recorder.stage(Stage::final_intersection);
   const uint32_t triangles = in.scene.triangle_count;
-  const uint32_t batch =
-      static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / 64, 256, shared::max_batch_triangles));
-  const uint32_t tile = static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / batch, 1, segment.count));
-  for (uint32_t first = 0; first < triangles; first += batch)
-    for (uint32_t ray = 0; ray < segment.count; ray += tile) {
+  const uint32_t loop =
+      static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / 64, 256, shared::max_loop_triangles));
+  const uint32_t piece = static_cast<uint32_t>(std::clamp<uint64_t>(in.submit_work / loop, 1, segment.count));
+  for (uint32_t first = 0; first < triangles; first += loop)
+    for (uint32_t ray = 0; ray < segment.count; ray += piece) {
       const struct {
         uint32_t first_ray, ray_count, first_triangle, triangle_count, tests_counter, first_account;
       } push{segment.first + ray,
-             std::min(tile, segment.count - ray),
+             std::min(piece, segment.count - ray),
              first,
-             std::min(batch, triangles - first),
+             std::min(loop, triangles - first),
              in.counter_row + shared::counter_triangle_tests,
              in.account.first(shared::tests_triangle, 0)};
-      recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lanes()),
+      recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lane_variant()),
                         push.ray_count, push,
                         {{"corner_a", in.scene.corner_a},
                          {"corner_b", in.scene.corner_b},

@@ -13,10 +13,10 @@ using hierarchy::Range;
 /// Tests of a node and its rays, for a submit's account.
 constexpr uint64_t usual_tests = 256;
 /// Groups whose frontiers are held together: 16 MiB.
-constexpr uint32_t most_groups = 16384;
+constexpr uint32_t max_groups = 16384;
 /// Lanes of a cluster: more had less to do each, measured on Mesa 22.3 and 25; and most rays a lane
 /// (shaders/intersection/node_rays.glsl).
-constexpr uint32_t usual_cluster = 4, most_rows = 8;
+constexpr uint32_t usual_cluster = 4, max_rows = 8;
 
 class Nodes {
  public:
@@ -30,23 +30,23 @@ class Nodes {
       traversal::start_at_root(recorder_, scratch_.frontiers);
       walk(nodes, groups);
     }
-    for (uint32_t first = groups.first; first < groups.end(); first += most_groups) {
-      const Range some{first, std::min(most_groups, groups.end() - first)};
+    for (uint32_t first = groups.first; first < groups.end(); first += max_groups) {
+      const Range some{first, std::min(max_groups, groups.end() - first)};
       traversal::walk_groups(recorder_, in_.traversal, in_.objects, some, scratch_.frontiers);
       walk(in_.traversal.hierarchy.levels[1].children_of(some), some);
     }
-    intersect_left(recorder_, in_, in_.objects, segment_, single_);
+    intersect_unfinished(recorder_, in_, in_.objects, segment_, single_);
   }
 
  private:
   /// Nodes of these groups.
   void walk(Range nodes, Range groups) {
-    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.traversal.submit_work / usual_tests, 1, nodes.count));
-    for (uint32_t first = nodes.first; first < nodes.end(); first += tile)
-      walk_tile({first, std::min(tile, nodes.end() - first)}, groups);
+    const uint32_t piece = uint32_t(std::clamp<uint64_t>(in_.traversal.submit_work / usual_tests, 1, nodes.count));
+    for (uint32_t first = nodes.first; first < nodes.end(); first += piece)
+      walk_piece({first, std::min(piece, nodes.end() - first)}, groups);
   }
 
-  void walk_tile(Range nodes, Range groups) {
+  void walk_piece(Range nodes, Range groups) {
     const traversal::In& t = in_.traversal;
     const hierarchy::Level& level = t.hierarchy.levels[0];
     const uint32_t clusters = (nodes.count + nodes_a_cluster() - 1) / nodes_a_cluster();
@@ -79,7 +79,7 @@ class Nodes {
                         {"rays_of", level.rays},
                         {"parents", parents},
                         {"frontier", scratch_.frontiers},
-                        {"left", single_.left},
+                        {"unfinished", single_.unfinished},
                         {"counters", t.counters},
                         {"account", t.account.buffer_or(t.counters)}},
                        nodes.count * usual_tests);
@@ -94,17 +94,17 @@ class Nodes {
   /// Lanes a node; 1 where a subgroup cannot pass values between lanes, or has too few for a node's rays.
   [[nodiscard]] uint32_t cluster() const {
     const uint32_t rays = std::bit_ceil(in_.traversal.options.arity);
-    const uint32_t lanes = std::min(rays, std::max(usual_cluster, rays / most_rows));
+    const uint32_t lanes = std::min(rays, std::max(usual_cluster, rays / max_rows));
     return gpu::may_cluster(recorder_.device(), lanes) ? lanes : 1;
   }
 
   [[nodiscard]] gpu::Kernel kernel() const {
-    const std::string alone = cluster() == 1 ? "-alone" : "";
+    const std::string variant = cluster() == 1 ? "-no-shuffle" : "";
     std::vector<std::pair<uint32_t, uint32_t>> constants = hierarchy::test_constants(in_.traversal.options);
     constants.emplace_back(0, in_.traversal.drop_every);
     const uint32_t lanes = cluster(), arity = in_.traversal.options.arity;
     if (lanes > 1) constants.insert(constants.end(), {{2, lanes}, {3, (arity + lanes - 1) / lanes}});
-    return in_.traversal.account.kernel("intersection/node_walk" + alone + "@" + in_.traversal.options.bound,
+    return in_.traversal.account.kernel("intersection/node_walk" + variant + "@" + in_.traversal.options.bound,
                                         constants);
   }
 

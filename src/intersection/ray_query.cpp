@@ -9,9 +9,9 @@ void query(gpu::Recorder& recorder, const In& in, const objects::DeviceHierarchy
   constexpr uint64_t usual_tests = 256;  // of a ray, for the account of a submit
   if (segment.count == 0 || !objects.structure) return;
   recorder.stage(Stage::final_intersection);
-  const uint32_t tile = uint32_t(std::clamp<uint64_t>(in.submit_work / usual_tests, 1, segment.count));
-  for (uint32_t done = 0; done < segment.count; done += tile) {
-    const uint32_t count = std::min(tile, segment.count - done);
+  const uint32_t piece = uint32_t(std::clamp<uint64_t>(in.submit_work / usual_tests, 1, segment.count));
+  for (uint32_t done = 0; done < segment.count; done += piece) {
+    const uint32_t count = std::min(piece, segment.count - done);
     const struct {
       uint32_t first;
       uint32_t end;

@@ -9,11 +9,11 @@
 namespace crsh::intersection {
 namespace {
 
-/// Tests of a ray, for a submit's account: most rays need fewer. None takes more than `most_tests`, or about, in one
+/// Tests of a ray, for a submit's account: most rays need fewer. None takes more than `max_tests`, or about, in one
 /// dispatch (shaders/intersection/walk.glsl).
-constexpr uint64_t usual_tests = 256, most_tests = 1280;
-/// Rays that are walked in portions together.
-constexpr uint64_t most_portioned = 4096;
+constexpr uint64_t usual_tests = 256, max_tests = 1280;
+/// Rays that are walked in pieces together.
+constexpr uint64_t max_resumed = 4096;
 
 /// An empty list with room for so many rays.
 void begin_list(gpu::Recorder& recorder, uint32_t rays, gpu::Buffer& list, const char* name) {
@@ -30,13 +30,13 @@ class SingleRays {
   /// All rays of the segment.
   void run() {
     begin_left(recorder_, segment_, scratch_);
-    walk_all(segment_.count, nullptr, scratch_.left);
+    walk_all(segment_.count, nullptr, scratch_.unfinished);
   }
 
-  /// The first so many of scratch.left.
-  void run_left(uint32_t count) {
-    begin_list(recorder_, count, scratch_.still_left, "rays still left");
-    walk_all(count, &scratch_.left, scratch_.still_left);
+  /// The first so many of scratch.unfinished.
+  void run_unfinished(uint32_t count) {
+    begin_list(recorder_, count, scratch_.still_unfinished, "rays still unfinished");
+    walk_all(count, &scratch_.unfinished, scratch_.still_unfinished);
   }
 
  private:
@@ -55,14 +55,15 @@ class SingleRays {
             in_.account.first(shared::tests_triangle, 0)};
   }
 
-  /// So many rays, of the list if there is one; what they leave goes to `left`, which is empty.
-  void walk_all(uint32_t count, const gpu::Buffer* list, const gpu::Buffer& left) {
-    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, count));
-    for (uint32_t first = 0; first < count; first += tile) walk(first, std::min(tile, count - first), list, left);
-    if (const uint32_t still = recorder_.read<uint32_t>(left, 1)[0]) walk_left(left, still);
+  /// So many rays, of the list if there is one; what they leave goes to `unfinished`, which is empty.
+  void walk_all(uint32_t count, const gpu::Buffer* list, const gpu::Buffer& unfinished) {
+    const uint32_t piece = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, count));
+    for (uint32_t first = 0; first < count; first += piece)
+      walk(first, std::min(piece, count - first), list, unfinished);
+    if (const uint32_t still = recorder_.read<uint32_t>(unfinished, 1)[0]) walk_unfinished(unfinished, still);
   }
 
-  void walk(uint32_t first, uint32_t count, const gpu::Buffer* list, const gpu::Buffer& left) {
+  void walk(uint32_t first, uint32_t count, const gpu::Buffer* list, const gpu::Buffer& unfinished) {
     const struct {
       Push push;
       uint32_t listed;
@@ -77,28 +78,28 @@ class SingleRays {
                         {"counters", in_.counters},
                         {"box_low", objects_.box_low},
                         {"box_high", objects_.box_high},
-                        {"left", left},
+                        {"unfinished", unfinished},
                         {"list", list ? *list : in_.counters},
                         {"account", in_.account.buffer_or(in_.counters)}},
                        count * usual_tests);
     recorder_.submit_past(in_.submit_work);
   }
 
-  void walk_left(const gpu::Buffer& list, uint32_t count) {
-    const uint32_t tile = uint32_t(std::clamp<uint64_t>(in_.submit_work / most_tests, 1, most_portioned));
+  void walk_unfinished(const gpu::Buffer& list, uint32_t count) {
+    const uint32_t piece = uint32_t(std::clamp<uint64_t>(in_.submit_work / max_tests, 1, max_resumed));
     primitives::grow(recorder_, scratch_.walking, sizeof(uint32_t), "number of rays walked");
-    primitives::grow(recorder_, scratch_.states, tile * sizeof(glm::uvec2), "states of rays");
-    primitives::grow(recorder_, scratch_.stacks, tile * shared::max_object_depth * sizeof(glm::uvec2),
+    primitives::grow(recorder_, scratch_.states, piece * sizeof(glm::uvec2), "states of rays");
+    primitives::grow(recorder_, scratch_.stacks, piece * shared::max_object_depth * sizeof(glm::uvec2),
                      "stacks of rays");
-    for (uint32_t first = 0; first < count; first += tile) walk_in_portions(list, first, std::min(tile, count - first));
+    for (uint32_t first = 0; first < count; first += piece) walk_in_pieces(list, first, std::min(piece, count - first));
   }
 
   /// From the root again, until all have ended.
-  void walk_in_portions(const gpu::Buffer& list, uint32_t first, uint32_t count) {
+  void walk_in_pieces(const gpu::Buffer& list, uint32_t first, uint32_t count) {
     recorder_.fill(scratch_.states, 0, 2 * uint64_t(count));
     do {
       recorder_.fill(scratch_.walking, 0, 1);
-      recorder_.dispatch(in_.account.kernel("intersection/single_on"), count, push_of(first, count),
+      recorder_.dispatch(in_.account.kernel("intersection/single_resume"), count, push_of(first, count),
                          {{"corner_a", objects_.leaf_a},
                           {"corner_b", objects_.leaf_b},
                           {"corner_c", objects_.leaf_c},
@@ -113,7 +114,7 @@ class SingleRays {
                           {"states", scratch_.states},
                           {"stacks", scratch_.stacks},
                           {"account", in_.account.buffer_or(in_.counters)}},
-                         count * most_tests);
+                         count * max_tests);
     } while (recorder_.read<uint32_t>(scratch_.walking, 1)[0]);
   }
 
@@ -134,15 +135,15 @@ void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hier
 }
 
 void begin_left(gpu::Recorder& recorder, const rays::Segment& segment, SingleScratch& scratch) {
-  begin_list(recorder, segment.count, scratch.left, "rays left");
+  begin_list(recorder, segment.count, scratch.unfinished, "unfinished rays");
 }
 
-void intersect_left(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
-                    const rays::Segment& segment, SingleScratch& scratch) {
-  const uint32_t left = recorder.read<uint32_t>(scratch.left, 1)[0];
-  if (left == 0) return;
+void intersect_unfinished(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
+                          const rays::Segment& segment, SingleScratch& scratch) {
+  const uint32_t unfinished = recorder.read<uint32_t>(scratch.unfinished, 1)[0];
+  if (unfinished == 0) return;
   recorder.stage(Stage::final_intersection);
-  SingleRays(recorder, in, objects, segment, scratch).run_left(left);
+  SingleRays(recorder, in, objects, segment, scratch).run_unfinished(unfinished);
 }
 
 }  // namespace crsh::intersection

@@ -121,8 +121,7 @@ class Builder {
     places_.reserve(device_, quad_bytes(n_ + 1), "places");
     raw_nodes_.reserve(device_, n_ * sizeof(glm::uvec4), "raw nodes");
     raw_costs_.reserve(device_, n_ * sizeof(float), "costs of raw nodes");
-    const struct { uint32_t count; } push{n_};
-    recorder_.dispatch("objects/begin", n_, push,
+    recorder_.dispatch("objects/begin", n_, n_,
                        {{"corner_a", in_.scene.corner_a},
                         {"corner_b", in_.scene.corner_b},
                         {"corner_c", in_.scene.corner_c},
@@ -149,11 +148,11 @@ class Builder {
 
   void find_nearest(uint32_t count, uint32_t radius) {
     const uint32_t tests = 2 * radius + 1;
-    const uint32_t portion = uint32_t(std::clamp<uint64_t>(in_.submit_work / tests, 1, count));
-    for (uint32_t first = 0; first < count; first += portion) {
+    const uint32_t piece = uint32_t(std::clamp<uint64_t>(in_.submit_work / tests, 1, count));
+    for (uint32_t first = 0; first < count; first += piece) {
       const struct {
         uint32_t first, end, count, radius;
-      } push{first, first + std::min(portion, count - first), count, radius};
+      } push{first, first + std::min(piece, count - first), count, radius};
       recorder_.dispatch("objects/nearest", push.end - first, push,
                          {{"cluster_low", clusters_.low}, {"cluster_high", clusters_.high}, {"nearest", nearest_}},
                          uint64_t(push.end - first) * tests);
@@ -163,9 +162,8 @@ class Builder {
 
   /// Finds each cluster's place in the next round. Returns how many clusters that has.
   uint32_t find_places(uint32_t count) {
-    const struct { uint32_t count; } push{count};
-    recorder_.dispatch("objects/pair", count, push, {{"nearest", nearest_}, {"stays", places_}}, count);
-    primitives::scan(recorder_, scan_, places_, places_, count + 1, primitives::ScanKind::exclusive);
+    recorder_.dispatch("objects/pair", count, count, {{"nearest", nearest_}, {"stays", places_}}, count);
+    primitives::scan(recorder_, scan_, places_, places_, count + 1, primitives::ScanType::exclusive);
     return recorder_.read<uint32_t>(places_, 1, count)[0];
   }
 
@@ -201,7 +199,7 @@ class Builder {
   /// first, so that its ranks become the hierarchy's.
   void number_nodes() {
     const uint32_t raw_nodes = n_ - 1;
-    primitives::scan(recorder_, scan_, places_, places_, raw_nodes + 1, primitives::ScanKind::exclusive);
+    primitives::scan(recorder_, scan_, places_, places_, raw_nodes + 1, primitives::ScanType::exclusive);
     const gpu::Buffer firsts(device_, (raw_ranks_.size() + 1) * sizeof(uint32_t), "first nodes of ranks");
     for (size_t r = 0; r <= raw_ranks_.size(); ++r) {
       const uint32_t raw = r < raw_ranks_.size() ? raw_ranks_[r].first : raw_nodes;
@@ -214,14 +212,14 @@ class Builder {
   }
 
   void emit_nodes() {
-    const struct { uint32_t count; } push{n_ - 1};
-    recorder_.dispatch("objects/emit", push.count, push,
+    const uint32_t count = n_ - 1;
+    recorder_.dispatch("objects/emit", count, count,
                        {{"raw_nodes", raw_nodes_},
                         {"firsts", firsts_},
                         {"places", places_},
                         {"box_low", out_.box_low},
                         {"box_high", out_.box_high}},
-                       push.count);
+                       count);
   }
 
   gpu::Recorder& recorder_;

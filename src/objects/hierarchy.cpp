@@ -22,15 +22,15 @@ void refit(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy) {
   ++hierarchy.refits;
 }
 
-/// Fits the boxes of one rank, a portion of it at a time.
+/// Fits the boxes of one rank, a piece of it at a time.
 void fit_rank(gpu::Recorder& recorder, const In& in, Hierarchy& h, Rank rank) {
   constexpr uint32_t tests = 4;  // a node's boxes, or its leaves' triangles
-  const uint32_t portion = uint32_t(std::clamp<uint64_t>(in.submit_work / tests, 1, UINT32_MAX / 2));
-  for (uint32_t done = 0; done < rank.count; done += portion) {
+  const uint32_t piece = uint32_t(std::clamp<uint64_t>(in.submit_work / tests, 1, UINT32_MAX / 2));
+  for (uint32_t done = 0; done < rank.count; done += piece) {
     const struct {
       uint32_t first;
       uint32_t count;
-    } push{rank.first + done, std::min(portion, rank.count - done)};
+    } push{rank.first + done, std::min(piece, rank.count - done)};
     recorder.dispatch("objects/fit", push.count, push,
                       {{"leaf_a", h.leaf_a},
                        {"leaf_b", h.leaf_b},

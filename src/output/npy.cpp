@@ -40,14 +40,14 @@ std::string header_of(const std::string& bytes, const std::string& name, size_t&
   return bytes.substr(first, length);
 }
 
-constexpr uint32_t most_letters = 256;
+constexpr uint32_t max_letters = 256;
 
 /// Bytes of what the type's number counts: NumPy counts letters.
 uint32_t unit_of(char kind) { return kind == 'U' ? 4 : 1; }
 
 bool is_type(char kind, uint32_t count) {
   const bool words = kind == 'S' || kind == 'U';
-  return words ? count > 0 && count <= most_letters : std::has_single_bit(count) && count <= 8;
+  return words ? count > 0 && count <= max_letters : std::has_single_bit(count) && count <= 8;
 }
 
 NpyType type_of(const std::string& text, const std::string& name) {

@@ -18,7 +18,7 @@ namespace crsh::output {
 namespace {
 
 /// Highest bounce that there are counters for: --bounces.
-constexpr uint64_t most_bounces = 64;
+constexpr uint64_t max_bounces = 64;
 /// How far a direction's squared length may be from 1: what normalising in float32 leaves, with room.
 constexpr float length_slack = 1e-5f;
 constexpr uint64_t any_word = std::numeric_limits<uint32_t>::max();
@@ -264,7 +264,7 @@ RayTable read_rays(const std::filesystem::path& path) {
   table.direction = file.vectors("direction");
   table.tmax = file.reals("tmax");
   table.kind = read_kinds(file, table.size());
-  table.bounce = file.integers<uint32_t>("bounce", most_bounces, 0);
+  table.bounce = file.integers<uint32_t>("bounce", max_bounces, 0);
   table.light = file.integers<uint32_t>("light", any_word, 0);
   table.pixel = file.integers<uint32_t>("pixel", any_word, 0);
   table.path = file.integers<uint32_t>("path", any_word, 1);

@@ -25,7 +25,9 @@ Json summary(std::vector<double> values) {
 }
 
 /// Of one of a frame's times.
-Json times_json(const std::vector<FrameTime>& frames, double FrameTime::*time) {
+using Milliseconds = double FrameTime::*;
+
+Json times_json(const std::vector<FrameTime>& frames, Milliseconds time) {
   std::vector<double> values;
   for (const FrameTime& frame : frames) values.push_back(frame.*time);
   return summary(std::move(values));

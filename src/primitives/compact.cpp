@@ -27,7 +27,7 @@ uint32_t compact(gpu::Recorder& recorder, CompactScratch& scratch, const gpu::Bu
   grow(recorder, scratch.counts, quad_bytes(lanes + 1), "compact.counts");
   if (n % 4) recorder.fill(flags, 0, 4 - n % 4, n);
   sum_runs(recorder, flags, n, scratch.counts, shape);
-  scan(recorder, scratch.scan, scratch.counts, scratch.counts, lanes + 1, ScanKind::exclusive, shape);
+  scan(recorder, scratch.scan, scratch.counts, scratch.counts, lanes + 1, ScanType::exclusive, shape);
   const uint32_t total = recorder.read<uint32_t>(scratch.counts, 1, lanes)[0];
   grow(recorder, indices, quad_bytes(total), "compact.indices");
   const gpu::Kernel kernel("primitives/compact", {{0, shape.group}, {1, shape.run / 4}});

@@ -46,9 +46,9 @@ gpu::Binding quads_of(const gpu::Buffer& buffer, uint64_t first, uint64_t count)
 
 /// Scans each run; `before` has the sums of all elements before each, and is null where the array is a single run.
 void scan_runs(gpu::Recorder& recorder, const gpu::Buffer& source, const gpu::Buffer& destination, uint64_t n,
-               const gpu::Buffer* before, ScanKind kind, ScanShape shape) {
+               const gpu::Buffer* before, ScanType type, ScanShape shape) {
   const gpu::Kernel kernel("primitives/scan_run",
-                           {{0, shape.group}, {1, shape.run / 4}, {2, kind == ScanKind::inclusive}, {3, !before}});
+                           {{0, shape.group}, {1, shape.run / 4}, {2, type == ScanType::inclusive}, {3, !before}});
   for_each_part(recorder, n, shape.run, [&](uint64_t first, const Push& push) {
     const gpu::Binding from = quads_of(source, first, push.quads), to = quads_of(destination, first, push.quads);
     recorder.dispatch(kernel, push.lanes, push,
@@ -73,12 +73,12 @@ ScanShape scan_shape(const gpu::Device& device) {
 }
 
 void scan(gpu::Recorder& recorder, ScanScratch& scratch, const gpu::Buffer& source, const gpu::Buffer& destination,
-          uint64_t n, ScanKind kind) {
-  scan(recorder, scratch, source, destination, n, kind, scan_shape(recorder.device()));
+          uint64_t n, ScanType type) {
+  scan(recorder, scratch, source, destination, n, type, scan_shape(recorder.device()));
 }
 
 void scan(gpu::Recorder& recorder, ScanScratch& scratch, const gpu::Buffer& source, const gpu::Buffer& destination,
-          uint64_t n, ScanKind kind, ScanShape shape) {
+          uint64_t n, ScanType type, ScanShape shape) {
   CRSH_ASSERT(n <= uint64_t(1) << 27, "a scan of more than 2^27 elements");
   CRSH_ASSERT(n == 0 || std::min(source.bytes(), destination.bytes()) >= quad_bytes(n), "a scan past its buffer's end");
   if (n == 0) return;
@@ -88,8 +88,8 @@ void scan(gpu::Recorder& recorder, ScanScratch& scratch, const gpu::Buffer& sour
   const auto level = [&](size_t i) -> const gpu::Buffer& { return i ? scratch.sums[i - 1] : source; };
   for (size_t i = 0; i < top; ++i) sum_runs(recorder, level(i), lengths[i], level(i + 1), shape);
   for (size_t i = top; i > 0; --i)
-    scan_runs(recorder, level(i), level(i), lengths[i], i < top ? &level(i + 1) : nullptr, ScanKind::exclusive, shape);
-  scan_runs(recorder, source, destination, n, top ? &level(1) : nullptr, kind, shape);
+    scan_runs(recorder, level(i), level(i), lengths[i], i < top ? &level(i + 1) : nullptr, ScanType::exclusive, shape);
+  scan_runs(recorder, source, destination, n, top ? &level(1) : nullptr, type, shape);
 }
 
 }  // namespace crsh::primitives

@@ -21,16 +21,16 @@ struct ScanScratch {
   std::vector<gpu::Buffer> sums;
 };
 
-enum class ScanKind { exclusive, inclusive };
+enum class ScanType { exclusive, inclusive };
 
 /// destination[i] = sum of source[0 .. i) (exclusive) or source[0 .. i] (inclusive), modulo 2^32, for i < n <= 2^27.
 /// Both are buffers of uint, may be the same one, and hold quad_bytes(n) bytes at least: the words from n up to the
 /// next multiple of 4 are read and overwritten. An exclusive scan of n + 1 elements leaves the total of the first n in
 /// element n, whatever the source holds there. (Section 3.2.2: the scan operator.)
 void scan(gpu::Recorder& recorder, ScanScratch& scratch, const gpu::Buffer& source, const gpu::Buffer& destination,
-          uint64_t n, ScanKind kind);
+          uint64_t n, ScanType type);
 void scan(gpu::Recorder& recorder, ScanScratch& scratch, const gpu::Buffer& source, const gpu::Buffer& destination,
-          uint64_t n, ScanKind kind, ScanShape shape);
+          uint64_t n, ScanType type, ScanShape shape);
 
 /// sums[i] = sum of elements i * run up to (i + 1) * run of `source`: the upward half of a scan. Sizes as in scan().
 void sum_runs(gpu::Recorder& recorder, const gpu::Buffer& source, uint64_t n, const gpu::Buffer& sums, ScanShape shape);

@@ -41,7 +41,7 @@ void find_places(gpu::Recorder& recorder, SortScratch& scratch, const gpu::Buffe
   recorder.fill(scratch.histogram, 0, pass.slots());
   const gpu::Kernel count("primitives/sort_count", {{0, pass.shape.group}});
   dispatch_parts(recorder, count, pass, {{"pairs", pairs}, {"histogram", scratch.histogram}});
-  scan(recorder, scratch.scan, scratch.histogram, scratch.histogram, pass.slots(), ScanKind::exclusive);
+  scan(recorder, scratch.scan, scratch.histogram, scratch.histogram, pass.slots(), ScanType::exclusive);
 }
 
 /// Moves the pairs, or with `values_only` only their values, to their places in `sorted`.

@@ -41,6 +41,6 @@ struct CameraView {
 
 /// Where camera_view() has chosen eye or target itself: both as options that say the same, to the last bit. Else none.
 [[nodiscard]] std::optional<ViewOption> chosen_view(const scene::Scene& scene, const RenderOptions& options,
-                                      const scene::Bounds& bounds, ImageSize size);
+                                                    const scene::Bounds& bounds, ImageSize size);
 
 }  // namespace crsh::raster

@@ -89,12 +89,12 @@ void create_closest(gpu::Recorder& recorder, const CreateIn& in, const KindRun& 
 std::vector<BatchPlan> plan_batches(const PlanIn& in) {
   const std::vector<Wanted> all = wanted_segments(in);
   if (all.empty() || in.surfaces == 0) return {};
-  const uint32_t portion = std::min(in.surfaces, in.most_slots);
-  const uint32_t most = std::min(most_segments, in.most_slots / portion);
+  const uint32_t surfaces_a_plan = std::min(in.surfaces, in.max_slots);
+  const uint32_t most = std::min(max_segments, in.max_slots / surfaces_a_plan);
   std::vector<BatchPlan> plans;
-  for (uint32_t first = 0; first < in.surfaces; first += portion)
+  for (uint32_t first = 0; first < in.surfaces; first += surfaces_a_plan)
     for (const std::vector<Wanted>& group : grouped(all, most, in.mixed))
-      plans.push_back({group, first, std::min(portion, in.surfaces - first)});
+      plans.push_back({group, first, std::min(surfaces_a_plan, in.surfaces - first)});
   return plans;
 }
 

@@ -14,7 +14,7 @@
 namespace crsh::rays {
 
 /// Most segments of a batch: shading walks its shadow segments in one loop.
-inline constexpr uint32_t most_segments = 64;
+inline constexpr uint32_t max_segments = 64;
 
 /// Rays that are wanted of every surface.
 struct Wanted {
@@ -40,10 +40,10 @@ struct PlanIn {
   uint32_t surfaces = 0, lights = 0;
   PerKind<bool> kinds{true};  ///< those that are cast at this bounce
   bool mixed = true;          ///< kinds share batches
-  uint32_t most_slots = shared::max_batch_rays;
+  uint32_t max_slots = shared::max_batch_rays;
 };
 
-/// The batches of one generation, none above most_segments or most_slots. Surfaces are split only where one segment
+/// The batches of one generation, none above max_segments or max_slots. Surfaces are split only where one segment
 /// alone is too large, at the same places for all batches; so no two batches cast one surface's rays of one kind and
 /// light.
 [[nodiscard]] std::vector<BatchPlan> plan_batches(const PlanIn& in);

@@ -73,7 +73,8 @@ std::vector<std::string> key_names() {
 
 namespace {
 
-/// Of every kernel that hashes: the bits where rays share their origin, and where not. Read once, for renderers of all threads.
+/// Of every kernel that hashes: the bits where rays share their origin, and where not. Read once, for renderers of all
+/// threads.
 std::map<std::string, std::array<uint32_t, 2>> all_hash_bits() {
   std::map<std::string, std::array<uint32_t, 2>> bits;
   for (const std::string& key : key_names()) {

@@ -33,7 +33,7 @@ struct Film {
   [[nodiscard]] const gpu::Buffer& of(LayerId id) const { return buffers[static_cast<size_t>(id)]; }
 };
 
-/// The layer that shows this kind of tests (shared::tests_*).
+/// The layer that shows this type of tests (shared::tests_*).
 [[nodiscard]] LayerId layer_of_tests(uint32_t which);
 
 /// Clears the film for a frame of these layers and the beauty. Throws UserError for more pixels than the device can

@@ -22,7 +22,7 @@ traversal::In traversal_in(const In& in, uint32_t kind) {
           .counters = in.counters.buffer(),
           .counter_row = Counters::row(in.bounce, kind),
           .submit_work = in.options.submit_work,
-          .most_pairs = in.most_pairs,
+          .max_pairs = in.max_pairs,
           .drop_every = in.options.mutation == "dropped-pairs" ? dropped_pairs : 0u,
           .account = in.workspace.account};
 }

@@ -40,7 +40,7 @@ struct In {
   const RenderOptions& options;
   const Counters& counters;
   uint32_t bounce = 0;                 ///< surfaces that the rays have passed: a row of counters each kind
-  uint64_t most_pairs = 0;             ///< of a candidate list; 0: as memory allows
+  uint64_t max_pairs = 0;              ///< of a candidate list; 0: as memory allows
   hierarchy::WantedTests wanted = {};  ///< tests to be shared among pixels
   Workspace& workspace;
 };

@@ -63,8 +63,8 @@ void share_tests(gpu::Recorder& recorder, const Traced& traced, const TestsByPix
   const In& in = traced.in;
   const hierarchy::AccountIn account{in.batch, traced.hierarchy(), in.workspace.bundle.order.order,
                                      in.names.first_surface, in.names.pixels};
-  for (uint32_t kind = 0; kind < shared::tests_count; ++kind)
-    if (in.wanted[kind]) in.workspace.account.share(recorder, account, kind, *tests[kind]);
+  for (uint32_t type = 0; type < shared::tests_count; ++type)
+    if (in.wanted[type]) in.workspace.account.share(recorder, account, type, *tests[type]);
 }
 
 }  // namespace

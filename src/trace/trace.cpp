@@ -15,8 +15,10 @@ Segments segments_of(const Traced& traced, const Tracer& tracer) {
   return numbers;
 }
 
+using Need = bool Needs::*;
+
 /// Whether rays go to a tracer that needs this.
-bool is_needed(const Traced& traced, bool Needs::*what) {
+bool is_needed(const Traced& traced, Need what) {
   for (size_t s = 0; s < traced.tracers.size(); ++s)
     if (traced.in.batch.segments[s].count && traced.tracers[s]->needs.*what) return true;
   return false;

@@ -35,7 +35,7 @@ constexpr std::array table = {
     row<SingleRaysScratch, run_single_rays>("single-rays", {.object_hierarchy = true}),
     row<MeshNodesScratch, run_mesh_nodes>("mesh-nodes", {.empty_hits = true, .sorted_rays = true}),
     row<ObjectNodesScratch, run_object_nodes>(
-        "object-nodes", {.object_hierarchy = true, .sorted_rays = true, .most_levels = 2}, "single-rays"),
+        "object-nodes", {.object_hierarchy = true, .sorted_rays = true, .max_levels = 2}, "single-rays"),
     row<NoScratch, run_ray_query>("ray-query", {.device_hierarchy = true}),
 };
 
@@ -53,8 +53,8 @@ const Tracer& tracer_of(const AlgorithmOptions& options) { return tracer_named(o
 
 void require_sound(const AlgorithmOptions& options) {
   const Needs& needs = tracer_of(options).needs;
-  if (!needs.sorted_rays || std::ranges::max(options.levels) <= needs.most_levels) return;
-  throw UserError(fmt::format("the algorithm {} has at most {} levels of nodes", options.preset, needs.most_levels),
+  if (!needs.sorted_rays || std::ranges::max(options.levels) <= needs.max_levels) return;
+  throw UserError(fmt::format("the algorithm {} has at most {} levels of nodes", options.preset, needs.max_levels),
                   Mend::fewer_levels, Exit::usage);
 }
 

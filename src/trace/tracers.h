@@ -18,11 +18,11 @@ struct In;
 
 /// What must be there before a tracer runs.
 struct Needs {
-  bool object_hierarchy = false;      ///< over the triangles (objects/hierarchy.h)
-  bool device_hierarchy = false;      ///< the device's own, so that it has to have ray queries
-  bool empty_hits = false;            ///< no ray of the batch has hit anything yet; else hits hold anything
-  bool sorted_rays = false;           ///< rays are sorted, and bundled into nodes
-  uint32_t most_levels = UINT32_MAX;  ///< of these nodes
+  bool object_hierarchy = false;     ///< over the triangles (objects/hierarchy.h)
+  bool device_hierarchy = false;     ///< the device's own, so that it has to have ray queries
+  bool empty_hits = false;           ///< no ray of the batch has hit anything yet; else hits hold anything
+  bool sorted_rays = false;          ///< rays are sorted, and bundled into nodes
+  uint32_t max_levels = UINT32_MAX;  ///< of these nodes
 };
 
 /// Segments of a batch, by number.

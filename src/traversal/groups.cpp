@@ -28,18 +28,18 @@ void walk_groups(gpu::Recorder& recorder, const In& in, const objects::Hierarchy
     uint32_t first_group, group_count, use_interval, box_counter, first_account;
   } push{groups.first, groups.count, in.options.interval, in.counter_row + shared::counter_box_tests,
          in.account.first(shared::tests_object, 2)};
-  const std::string alone = gpu::may_cluster(recorder.device(), cluster) ? "" : "-alone";
-  recorder.dispatch(
-      in.account.kernel("traversal/group_walk" + alone + "@" + in.options.bound, hierarchy::test_constants(in.options)),
-      groups.count, push,
-      {{"nodes", level.nodes},
-       {"intervals", level.intervals},
-       {"box_low", objects.box_low},
-       {"box_high", objects.box_high},
-       {"frontier", frontiers},
-       {"counters", in.counters},
-       {"account", in.account.buffer_or(in.counters)}},
-      groups.count * usual_tests);
+  const std::string variant = gpu::may_cluster(recorder.device(), cluster) ? "" : "-no-shuffle";
+  recorder.dispatch(in.account.kernel("traversal/group_walk" + variant + "@" + in.options.bound,
+                                      hierarchy::test_constants(in.options)),
+                    groups.count, push,
+                    {{"nodes", level.nodes},
+                     {"intervals", level.intervals},
+                     {"box_low", objects.box_low},
+                     {"box_high", objects.box_high},
+                     {"frontier", frontiers},
+                     {"counters", in.counters},
+                     {"account", in.account.buffer_or(in.counters)}},
+                    groups.count * usual_tests);
   recorder.submit_past(in.submit_work);
 }
 

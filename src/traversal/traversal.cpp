@@ -16,11 +16,11 @@ using primitives::grow;
 using primitives::quad_bytes;
 
 /// Children to test or to emit, as shaders/traversal/descend.glsl has them.
-struct Portion {
+struct Slice {
   uint32_t first_child, child_count, first_parent, parent_count, first_base, pairs_before, arity;
 };
 
-/// Bases of the pairs of consecutive nodes, on the host: where a list is cut into portions.
+/// Bases of the pairs of consecutive nodes, on the host: where a list is cut into slices.
 struct Bases {
   uint32_t first_node = 0;
   std::vector<uint32_t> values;  ///< with sentinel
@@ -46,12 +46,12 @@ class Descent {
     give_back();
     const uint32_t blocks = std::min(blocks_a_batch(), in_.scene.block_count);
     const uint64_t tests_a_node = uint64_t(blocks) * shared::block_triangles;
-    const uint32_t tile = static_cast<uint32_t>(std::clamp<uint64_t>(in_.submit_work / tests_a_node, 1, nodes.count));
-    for (uint32_t first = nodes.first; first < nodes.end(); first += tile) {
-      const Range tile_nodes{first, std::min(tile, nodes.end() - first)};
-      cull_meshes(tile_nodes);
+    const uint32_t piece = static_cast<uint32_t>(std::clamp<uint64_t>(in_.submit_work / tests_a_node, 1, nodes.count));
+    for (uint32_t first = nodes.first; first < nodes.end(); first += piece) {
+      const Range piece_nodes{first, std::min(piece, nodes.end() - first)};
+      cull_meshes(piece_nodes);
       for (uint32_t block = 0; block < in_.scene.block_count; block += blocks)
-        test_top(tile_nodes, {block, std::min(blocks, in_.scene.block_count - block)});
+        test_top(piece_nodes, {block, std::min(blocks, in_.scene.block_count - block)});
     }
   }
 
@@ -59,8 +59,7 @@ class Descent {
   /// A lane walks one node's list of a batch, so a batch bounds every loop; small submits want small batches.
   [[nodiscard]] uint32_t blocks_a_batch() const {
     const uint64_t blocks = in_.submit_work / (shared::block_triangles * 64);
-    return static_cast<uint32_t>(
-        std::clamp<uint64_t>(blocks, 8, shared::max_batch_triangles / shared::block_triangles));
+    return static_cast<uint32_t>(std::clamp<uint64_t>(blocks, 8, shared::max_loop_triangles / shared::block_triangles));
   }
 
   [[nodiscard]] const Level& level(uint32_t index) const { return in_.hierarchy.levels[index]; }
@@ -73,7 +72,7 @@ class Descent {
     return in_.account.kernel(kernel + "@" + in_.options.bound, hierarchy::test_constants(in_.options));
   }
   [[nodiscard]] gpu::Kernel testing_with_lanes(const std::string& kernel) const {
-    return testing(kernel + device_.lanes());
+    return testing(kernel + device_.lane_variant());
   }
   [[nodiscard]] uint32_t words() const { return in_.options.mesh_culling ? (in_.scene.instance_count + 31) / 32 : 0; }
 
@@ -134,25 +133,28 @@ class Descent {
                         {"corner_b", in_.scene.corner_b},
                         {"corner_c", in_.scene.corner_c}},
                        masks * shared::block_triangles);
-    primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanKind::exclusive);
-    const struct { uint32_t count, stride; } bases_push{nodes.count + 1, blocks.count};
+    primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, masks + 1, primitives::ScanType::exclusive);
+    const struct {
+      uint32_t count;
+      uint32_t stride;
+    } bases_push{nodes.count + 1, blocks.count};
     recorder_.dispatch("traversal/bases", nodes.count + 1, bases_push,
                        {{"scanned", lists.counts}, {"bases", lists.bases}});
     const Bases bases{nodes.first, recorder_.read<uint32_t>(lists.bases, nodes.count + 1)};
-    for_portions(bases, level(top_).most_children, [&](Range portion) {
-      emit_top(nodes, portion, blocks, bases);
-      go_on(top_, portion, portion.first - nodes.first, bases);
+    for_slices(bases, level(top_).max_children, [&](Range slice) {
+      emit_top(nodes, slice, blocks, bases);
+      go_on(top_, slice, slice.first - nodes.first, bases);
     });
   }
 
-  void emit_top(Range tile, Range portion, BlockRange blocks, const Bases& bases) {
+  void emit_top(Range piece, Range slice, BlockRange blocks, const Bases& bases) {
     LevelScratch& lists = scratch_.levels[top_];
     const struct {
       uint32_t first_node, node_offset, node_count, first_block, block_count, pairs_before;
-    } push{tile.first, portion.first - tile.first, portion.count, blocks.first, blocks.count, bases.of(portion.first)};
-    reserve_pairs(lists, bases.of(portion.end()) - bases.of(portion.first));
+    } push{piece.first, slice.first - piece.first, slice.count, blocks.first, blocks.count, bases.of(slice.first)};
+    reserve_pairs(lists, bases.of(slice.end()) - bases.of(slice.first));
     recorder_.dispatch(
-        {"traversal/emit_top", drop()}, uint64_t(portion.count) * blocks.count, push,
+        {"traversal/emit_top", drop()}, uint64_t(slice.count) * blocks.count, push,
         {{"blocks", in_.scene.blocks}, {"masks", lists.masks}, {"scanned", lists.counts}, {"pairs", lists.pairs}});
   }
 
@@ -166,33 +168,27 @@ class Descent {
       return;
     }
     const Range children = level(index).children_of(nodes);
-    const Portion all{children.first,
-                      children.count,
-                      nodes.first,
-                      nodes.count,
-                      first_base,
-                      bases.of(nodes.first),
-                      level(index).most_children};
+    const Slice all{children.first,        children.count,           nodes.first, nodes.count, first_base,
+                    bases.of(nodes.first), level(index).max_children};
     test_children(index - 1, all, pairs);
     const Bases below{children.first, recorder_.read<uint32_t>(scratch_.levels[index - 1].counts, children.count + 1)};
-    for_portions(below, level(index - 1).most_children, [&](Range portion) {
-      emit_children(index - 1, all, portion, below);
-      go_on(index - 1, portion, portion.first - children.first, below);
+    for_slices(below, level(index - 1).max_children, [&](Range slice) {
+      emit_children(index - 1, all, slice, below);
+      go_on(index - 1, slice, slice.first - children.first, below);
     });
   }
 
-  void test_children(uint32_t index, const Portion& portion, uint32_t pairs) {
+  void test_children(uint32_t index, const Slice& slice, uint32_t pairs) {
     LevelScratch& lists = scratch_.levels[index];
     const LevelScratch& above = scratch_.levels[index + 1];
-    grow(recorder_, lists.masks, uint64_t(pairs / 32 + portion.parent_count) * portion.arity * sizeof(uint32_t),
-         "masks");
-    grow(recorder_, lists.counts, quad_bytes(portion.child_count + 1), "pair bases");
+    grow(recorder_, lists.masks, uint64_t(pairs / 32 + slice.parent_count) * slice.arity * sizeof(uint32_t), "masks");
+    grow(recorder_, lists.counts, quad_bytes(slice.child_count + 1), "pair bases");
     const struct {
-      Portion portion;
+      Slice slice;
       uint32_t use_interval, tests, hits, first_account;
-    } push{portion, in_.options.interval, counter(shared::counter_level_tests + index),
+    } push{slice, in_.options.interval, counter(shared::counter_level_tests + index),
            counter(shared::counter_level_hits + index), first_account(shared::tests_node, index)};
-    recorder_.dispatch(testing_with_lanes("traversal/descend"), uint64_t(portion.parent_count) * portion.arity, push,
+    recorder_.dispatch(testing_with_lanes("traversal/descend"), uint64_t(slice.parent_count) * slice.arity, push,
                        {{"nodes", level(index).nodes},
                         {"intervals", level(index).intervals},
                         {"children_of", level(index + 1).children},
@@ -206,21 +202,21 @@ class Descent {
                         {"corner_a", in_.scene.corner_a},
                         {"corner_b", in_.scene.corner_b},
                         {"corner_c", in_.scene.corner_c}},
-                       uint64_t(pairs) * portion.arity);
-    primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, portion.child_count + 1,
-                     primitives::ScanKind::exclusive);
+                       uint64_t(pairs) * slice.arity);
+    primitives::scan(recorder_, scratch_.scan, lists.counts, lists.counts, slice.child_count + 1,
+                     primitives::ScanType::exclusive);
   }
 
-  void emit_children(uint32_t index, const Portion& all, Range children, const Bases& bases) {
+  void emit_children(uint32_t index, const Slice& all, Range children, const Bases& bases) {
     LevelScratch& lists = scratch_.levels[index];
     const LevelScratch& above = scratch_.levels[index + 1];
-    Portion portion = all;
-    portion.first_child = children.first;
-    portion.child_count = children.count;
+    Slice slice = all;
+    slice.first_child = children.first;
+    slice.child_count = children.count;
     const struct {
-      Portion portion;
+      Slice slice;
       uint32_t first_scanned, emitted_before;
-    } push{portion, children.first - all.first_child, bases.of(children.first)};
+    } push{slice, children.first - all.first_child, bases.of(children.first)};
     reserve_pairs(lists, bases.of(children.end()) - bases.of(children.first));
     recorder_.dispatch({"traversal/emit", drop()}, children.count, push,
                        {{"parents", level(index + 1).parents},
@@ -237,9 +233,9 @@ class Descent {
     return index == top_ ? lists.bases : lists.counts;
   }
 
-  /// Cuts the nodes into portions whose pairs fit memory and whose tests against `children` a node fit a submit.
+  /// Cuts the nodes into slices whose pairs fit memory and whose tests against `children` a node fit a submit.
   template <class Function>
-  void for_portions(const Bases& bases, uint32_t children, const Function& function) {
+  void for_slices(const Bases& bases, uint32_t children, const Function& function) {
     const uint64_t most = std::max<uint64_t>(1, std::min(pair_capacity(), in_.submit_work / children));
     for (uint32_t first = bases.first_node; first < bases.end();) {
       uint32_t end = first + 1;
@@ -251,7 +247,7 @@ class Descent {
 
   /// Pairs of one list: what a binding holds, and a share of the memory that is left for each level's lists.
   [[nodiscard]] uint64_t pair_capacity() const {
-    if (in_.most_pairs) return in_.most_pairs;
+    if (in_.max_pairs) return in_.max_pairs;
     constexpr uint64_t bytes_a_pair = sizeof(shared::HitPair) + 8;  // masks and growth besides
     uint64_t held = 0;
     for (const LevelScratch& lists : scratch_.levels) held += lists.pairs.bytes();

@@ -47,13 +47,13 @@ struct In {
   const gpu::Buffer& counters;  ///< uvec2, 64 bits each
   uint32_t counter_row = 0;     ///< first counter of this bounce and kind
   uint64_t submit_work = 0;     ///< tests a submit
-  uint64_t most_pairs = 0;      ///< in a list; 0: as many as memory allows
+  uint64_t max_pairs = 0;       ///< in a list; 0: as many as memory allows
   uint32_t drop_every = 0;      ///< test-only mutation: one of so many pairs is dropped; 0: none is
   const hierarchy::Account& account = hierarchy::no_account;
 };
 
 /// Tests nodes of level `depth` against all triangles, and what they hit against the nodes below, down to level 1.
-/// Calls `intersect` for one portion of the candidates after the other, each as large as memory allows. Each pair of a
+/// Calls `intersect` for one slice of the candidates after the other, each as large as memory allows. Each pair of a
 /// level-1 node and a triangle comes exactly once, in the same order on every run.
 void traverse(gpu::Recorder& recorder, const In& in, uint32_t depth, hierarchy::Range nodes, Scratch& scratch,
               const std::function<void(const Candidates&)>& intersect);

@@ -88,7 +88,7 @@ std::optional<Arguments> parse_arguments(const std::vector<std::string>& argumen
     output::write_stdout(cli::help_of(command));
     return {};
   }
-  if (a.render.options.samples) a.most_samples = a.render.options.samples;
+  if (a.render.options.samples) a.max_samples = a.render.options.samples;
   a.render.options.samples = 1;
   const bool ends = !a.script.empty() || !a.screenshot.empty() || !a.save.empty() || a.print_command;
   if (ends && !a.after) a.after = 1;

@@ -12,7 +12,7 @@ namespace crsh::viewer {
 
 struct Arguments {
   cli::RenderCommand render;      ///< its scene may be empty: one is dropped onto the window
-  uint32_t most_samples = 64;     ///< samples of a picture at rest
+  uint32_t max_samples = 64;      ///< samples of a picture at rest
   float budget_ms = 50;           ///< for a frame while the camera moves
   bool watch = false;             ///< the scene is loaded anew when its file changes
   std::string script;             ///< path or empty

@@ -11,7 +11,7 @@ constexpr float pi = float(std::numbers::pi), right_angle = pi / 2;
 constexpr float turn_a_height = pi;            // radians that a drag over the image's height turns
 constexpr float steep = right_angle * 0.995f;  // beyond this pitch "up" no longer tells how the image is turned
 constexpr float least_roll = 1e-4f;            // below this a roll is a rounding error
-constexpr float least_distance = 1e-4f, most_distance = 1e7f;
+constexpr float least_distance = 1e-4f, max_distance = 1e7f;
 
 /// Axes with `up` as the second: glTF's own where `up` is glTF's, else any two that fit.
 glm::mat3 basis_of(glm::vec3 up) {
@@ -61,7 +61,7 @@ void OrbitCamera::pan(glm::vec2 by) {
 }
 
 void OrbitCamera::zoom(float factor, glm::vec2 place, float aspect) {
-  const float wanted = std::clamp(distance * factor, least_distance, most_distance);
+  const float wanted = std::clamp(distance * factor, least_distance, max_distance);
   const glm::vec3 at = pivot + (right() * (place.x * aspect) + up() * place.y) * (half_height * distance);
   pivot = at + (pivot - at) * (wanted / distance);
   distance = wanted;
@@ -69,7 +69,7 @@ void OrbitCamera::zoom(float factor, glm::vec2 place, float aspect) {
 
 void OrbitCamera::fly(glm::vec3 by) {
   pivot += right() * by.x + up() * by.y;
-  if (orthographic) distance = std::clamp(distance - by.z, least_distance, most_distance);
+  if (orthographic) distance = std::clamp(distance - by.z, least_distance, max_distance);
   else pivot -= back() * by.z;
 }
 

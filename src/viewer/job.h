@@ -12,7 +12,7 @@
 #include "crsh/picture.h"
 #include "crsh/statistics.h"
 #include "scene/scene.h"
-#include "viewer/inspection.h"
+#include "viewer/node_frame.h"
 
 namespace crsh::viewer {
 
@@ -28,9 +28,9 @@ struct Wish {
   double seconds = 0;
   bool moving = false;                    ///< coarse and quick, else fine
   float budget_ms = 50;                   ///< of a coarse frame
-  uint32_t most_samples = 1;              ///< of a fine picture
+  uint32_t max_samples = 1;               ///< of a fine picture
   std::optional<AlgorithmOptions> other;  ///< a second picture, by this algorithm
-  std::optional<uint32_t> inspect_kind;   ///< besides, how rays of this kind are sorted and bundled at bounce 0
+  std::optional<uint32_t> node_kind;      ///< besides, how rays of this kind are sorted and bundled at bounce 0
 };
 
 /// A picture, and what it was rendered with.
@@ -46,7 +46,7 @@ struct Shown {
   uint64_t serial = 0;      ///< no two pictures have the same
 };
 using ShownPtr = std::shared_ptr<const Shown>;
-using InsidePtr = std::shared_ptr<const Inspection>;
+using NodeFramePtr = std::shared_ptr<const NodeFrame>;
 
 struct LoadedScene {
   uint64_t number = 0;
@@ -58,7 +58,7 @@ using LoadedPtr = std::shared_ptr<const LoadedScene>;
 struct News {
   LoadedPtr loaded;      ///< the scene; null: none is loaded yet
   ShownPtr left, right;  ///< of that scene; right: by the other algorithm
-  InsidePtr left_inside, right_inside;
+  NodeFramePtr left_node_frame, right_node_frame;
   std::string phase;          ///< "reading scene.glb"; empty: nothing that takes long
   double done = 0;            ///< of the phase, 0 to 1
   std::string error;          ///< a line; empty: none

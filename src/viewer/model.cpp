@@ -103,8 +103,8 @@ void Model::take_pictures(const News& latest) {
   const bool ours = news.left && loaded && news.left->scene == loaded->number;
   left.shown = ours ? news.left : left.shown;
   right.shown = two_pictures() ? news.right : left.shown;
-  left.inside = news.left_inside;
-  right.inside = news.right_inside;
+  left.node_frame = news.left_node_frame;
+  right.node_frame = news.right_node_frame;
   if (!left.shown || left.shown->serial == history_serial || left.shown->statistics.frames.empty()) return;
   history_serial = left.shown->serial;
   const FrameTime& time = left.shown->statistics.frames.back();
@@ -183,11 +183,11 @@ Wish Model::wish() const {
   if (own_view) options.view = camera.view(), options.camera.clear();
   const bool order = left.show == Show::order || (split && right.show == Show::order);
   const bool boxes = show_bounds && has_object_hierarchy();
-  if (order || show_nodes || boxes) wish.inspect_kind = inspect_kind;
+  if (order || show_nodes || boxes) wish.node_kind = node_kind;
   wish.seconds = seconds;
   wish.moving = moving();
   wish.budget_ms = arguments.budget_ms;
-  wish.most_samples = arguments.most_samples;
+  wish.max_samples = arguments.max_samples;
   if (two_pictures()) wish.other = other;
   return wish;
 }

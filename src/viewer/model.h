@@ -25,7 +25,7 @@ struct Message {
 struct Side {
   Show show = Show::light;
   ShownPtr shown;
-  InsidePtr inside;  ///< its ray nodes and boxes, where they are shown
+  NodeFramePtr node_frame;  ///< its ray nodes and boxes, where they are shown
 };
 
 struct Model {
@@ -49,8 +49,8 @@ struct Model {
   Side left, right;
   bool split = false;
   float split_place = 0.5f;
-  AlgorithmOptions other;     ///< the right side's
-  uint32_t inspect_kind = 0;  ///< of the rays whose order and nodes are shown
+  AlgorithmOptions other;  ///< the right side's
+  uint32_t node_kind = 0;  ///< of the rays whose order and nodes are shown
   bool show_nodes = false, nodes_of_all = false, show_bounds = false;
   uint32_t nodes_level = 1, box_depth = 4;
 

@@ -37,10 +37,10 @@ class Folder {
   fs::path path_;
 };
 
-/// A shader's name as the build makes it (tools/cmake/shaders.cmake): "path-alone@VARIANT.comp".
+/// A shader's name as the build makes it (tools/cmake/shaders.cmake): "path-no-shuffle@VARIANT.comp".
 struct Name {
   std::string source, variant;
-  bool alone = false;
+  bool no_shuffle = false;
 };
 
 Name parsed(std::string name) {
@@ -49,8 +49,8 @@ Name parsed(std::string name) {
   name = name.substr(0, name.rfind('.'));
   if (const size_t at = name.find('@'); at != std::string::npos)
     made.variant = name.substr(at + 1), name = name.substr(0, at);
-  made.alone = name.ends_with("-alone");
-  if (made.alone) name = name.substr(0, name.size() - std::strlen("-alone"));
+  made.no_shuffle = name.ends_with("-no-shuffle");
+  if (made.no_shuffle) name = name.substr(0, name.size() - std::strlen("-no-shuffle"));
   made.source = name + ending;
   return made;
 }
@@ -119,7 +119,7 @@ std::vector<uint32_t> ShaderFolder::compile(const std::string& name) {
                         fmt::format("#include \"{}/{}.glsl\"\n", variants, parts.variant));
     flags += " -I" + in_quotes(folder.path());
   }
-  if (parts.alone) flags += " -DCRSH_ALONE";
+  if (parts.no_shuffle) flags += " -DCRSH_NO_SHUFFLE";
   const fs::path result = folder.path() / "result.spv";
   int status = 0;
   const std::string text = output_of(

@@ -5,7 +5,7 @@
 
 #include "output/heat_map.h"
 #include "output/png.h"
-#include "viewer/inspection.h"
+#include "viewer/node_frame.h"
 
 namespace crsh::viewer {
 namespace {

@@ -154,8 +154,8 @@ void Viewer::draw() {
 
 /// Puts a side's picture into its texture. The order of rays is a coarser picture of its own.
 void Viewer::paint(std::unique_ptr<gpu::Texture>& texture, const Side& side) {
-  if (side.show == Show::order && !side.inside) return;
-  const Picture& picture = side.show == Show::order ? side.inside->order : side.shown->picture;
+  if (side.show == Show::order && !side.node_frame) return;
+  const Picture& picture = side.show == Show::order ? side.node_frame->order : side.shown->picture;
   write(texture, device_, in_colours(picture, side.show, painted_.exposure, heat_));
 }
 
@@ -165,8 +165,8 @@ void Viewer::update_textures() {
   const auto serial = [](const auto& pointer) { return pointer ? pointer->serial : 0; };
   const Painted now{.left = model_.left.shown->serial,
                     .right = right ? model_.right.shown->serial : 0,
-                    .left_inside = serial(model_.left.inside),
-                    .right_inside = serial(model_.right.inside),
+                    .left_node_frame = serial(model_.left.node_frame),
+                    .right_node_frame = serial(model_.right.node_frame),
                     .left_show = model_.left.show,
                     .right_show = model_.right.show,
                     .exposure = model_.exposure(),

@@ -49,7 +49,7 @@ class Viewer {
   std::unique_ptr<gpu::Texture> left_, right_;
   struct Painted {
     bool operator==(const Painted&) const = default;
-    uint64_t left = 0, right = 0, left_inside = 0, right_inside = 0;
+    uint64_t left = 0, right = 0, left_node_frame = 0, right_node_frame = 0;
     Show left_show{}, right_show{};
     double exposure = 0;
     bool split = false;

@@ -61,7 +61,7 @@ bool Worker::more_to_do() const {
   if (wish_.load != loaded_number_) return true;
   if (!loaded_ || wish_.scene != loaded_->number) return false;
   if (wish_.moving) return samples_ == 0;
-  return samples_ == 0 || (wish_.other ? !right_done_ : samples_ < wish_.most_samples);
+  return samples_ == 0 || (wish_.other ? !right_done_ : samples_ < wish_.max_samples);
 }
 
 /// Nothing more will come of the wish. After a load another wish follows, which knows the scene: that one rests.
@@ -84,7 +84,7 @@ bool Worker::take_wish() {
     wish_ = wanted_;
     taken_ = version_;
     samples_ = 0;
-    right_done_ = inspected_ = given_up_ = false;
+    right_done_ = has_node_frames_ = given_up_ = false;
   }
   return !quit_;
 }
@@ -134,37 +134,37 @@ void Worker::say(const std::string& phase, double done) {
 void Worker::fulfil() {
   if (wish_.load != loaded_number_) return load();
   if (!renderer_ || hidden_ != wish_.options.hidden) make_renderer();
-  if (wish_.inspect_kind && !inspected_ && !wish_.moving) return inspect_sides();
+  if (wish_.node_kind && !has_node_frames_ && !wish_.moving) return render_node_frames();
   if (samples_ == 0) render(false);
   else if (wish_.other && !right_done_) render(true);
   else refine();
   if (!wish_.moving) return;
   if (wish_.other) render(true);
-  if (wish_.inspect_kind) inspect_sides();
+  if (wish_.node_kind) render_node_frames();
 }
 
 /// Renders the frames that show how rays are sorted and bundled. It does so before the fine picture, because samples
 /// cannot be added to that after another frame.
-void Worker::inspect_sides() {
+void Worker::render_node_frames() {
   const size_t lights = std::max({wish_.options.lights.size(), loaded_->scene.lights.size(), size_t(1)});
-  InspectIn in{.options = wish_.options,
-               .seconds = wish_.seconds,
-               .kind = *wish_.inspect_kind,
-               .lights = uint32_t(lights),
-               .moving = wish_.moving};
+  NodeFrameIn in{.options = wish_.options,
+                 .seconds = wish_.seconds,
+                 .kind = *wish_.node_kind,
+                 .lights = uint32_t(lights),
+                 .moving = wish_.moving};
   const auto look = [&] {
-    auto made = std::make_shared<Inspection>(inspect(*renderer_, in));
+    auto made = std::make_shared<NodeFrame>(render_node_frame(*renderer_, in));
     made->wish = taken_;
     made->serial = ++serial_;
     return made;
   };
-  const InsidePtr left = look();
-  InsidePtr right = left;
+  const NodeFramePtr left = look();
+  NodeFramePtr right = left;
   if (wish_.other) in.options.algorithm = *wish_.other, right = look();
-  inspected_ = true;
+  has_node_frames_ = true;
   {
     const std::lock_guard lock(mutex_);
-    news_.left_inside = left, news_.right_inside = right;
+    news_.left_node_frame = left, news_.right_node_frame = right;
   }
   wake_();
 }
@@ -183,7 +183,7 @@ void Worker::look_at_shaders() {
   renderer_.reset();
   device_.forget_programs();
   samples_ = 0;
-  right_done_ = inspected_ = given_up_ = false;
+  right_done_ = has_node_frames_ = given_up_ = false;
 }
 
 void Worker::load() {
@@ -198,7 +198,7 @@ void Worker::load() {
     const std::lock_guard lock(mutex_);
     news_.loaded = loaded;
     news_.left = news_.right = nullptr;
-    news_.left_inside = news_.right_inside = nullptr;
+    news_.left_node_frame = news_.right_node_frame = nullptr;
   }
   say("", 0);
 }

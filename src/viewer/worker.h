@@ -43,7 +43,7 @@ class Worker {
   void make_renderer();
   void render(bool right);
   void refine();
-  void inspect_sides();
+  void render_node_frames();
   void look_at_shaders();
   void publish(bool right, Picture picture, RenderOptions options, bool fine, double milliseconds);
   void say(const std::string& phase, double done);
@@ -72,7 +72,7 @@ class Worker {
   std::unique_ptr<Renderer> renderer_;
   Pace pace_;
   uint32_t samples_ = 0;  ///< that the fine picture has; 0: it is not begun
-  bool right_done_ = false, inspected_ = false, given_up_ = false;
+  bool right_done_ = false, has_node_frames_ = false, given_up_ = false;
 
   std::optional<ShaderFolder> shaders_;  ///< CRSH_SHADER_DIR
   std::chrono::steady_clock::time_point shaders_seen_{};

@@ -1,4 +1,5 @@
-// What CONTRIBUTING.md tells those who add to the renderer, done as it stands there: in copies of the tree, and in NumPy.
+// What CONTRIBUTING.md tells those who add to the renderer, done as it stands there: in copies of the tree, and in
+// NumPy.
 
 #include <doctest/doctest.h>
 

@@ -21,8 +21,9 @@ struct Recipe {
   [[nodiscard]] std::set<std::string> files() const;
 };
 
-/// The step under this heading. Code follows "`FILE`:", "`FILE`, before `LINE`:" or "`FILE`, in place of `LINE`:"; blocks
-/// without a language are commands. Throws std::runtime_error where there is no such heading, or code that is said to go nowhere.
+/// The step under this heading. Code follows "`FILE`:", "`FILE`, before `LINE`:" or "`FILE`, in place of `LINE`:";
+/// blocks without a language are commands. Throws std::runtime_error where there is no such heading, or code that is
+/// said to go nowhere.
 [[nodiscard]] Recipe recipe(const std::string& heading);
 
 /// The code between ``` that follows these words of CONTRIBUTING.md.

@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t most_bytes = 64 << 10;
+constexpr size_t max_bytes = 64 << 10;
 /// Along edges another driver may draw another triangle: few pixels, however much they differ by.
 constexpr output::Tolerance tolerance{.fail = 0.02, .fail_percent = 1, .hard_fail = 1};
 
 std::string blessed(const fs::path& path, const std::string& bytes) {
-  if (bytes.size() > most_bytes) return fmt::format("{} would have {} bytes", path.string(), bytes.size());
+  if (bytes.size() > max_bytes) return fmt::format("{} would have {} bytes", path.string(), bytes.size());
   output::write_whole(path, bytes);
   return {};
 }

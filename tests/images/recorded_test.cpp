@@ -22,7 +22,7 @@ namespace {
 
 const std::filesystem::path folder = CRSH_SOURCE_DIR "/tests/rays";
 const std::filesystem::path table_file = folder / "counters.txt";
-constexpr uintmax_t most_bytes = 300 << 10;
+constexpr uintmax_t max_bytes = 300 << 10;
 
 bool blesses() {
   const char* bless = std::getenv("CRSH_BLESS");
@@ -94,7 +94,7 @@ TEST_CASE("every preset has the recorded counters on the recorded rays, to the l
   for (const Recording& recording : recordings) {
     const std::filesystem::path file = folder / (std::string(recording.scene) + ".npz");
     if (blesses() && !std::filesystem::exists(file)) record(recording, file);
-    CHECK(std::filesystem::file_size(file) <= most_bytes);
+    CHECK(std::filesystem::file_size(file) <= max_bytes);
     const RayTable rays = output::read_rays(file);
     for (const std::string& name : preset_names()) {
       const std::string lines = replayed(recording, rays, name), start = fmt::format("{} {}", recording.scene, name);

@@ -68,7 +68,7 @@ void check_bound(const std::string& algorithm, const std::string& bound, gpu::De
 
 TEST_CASE("every bound gives the same, and so do lanes that walk alone, without a validation message") {
   gpu::DeviceRequest request = device_request();
-  request.walk_alone = true;
+  request.no_shuffles = true;
   gpu::Device alone(request);
   const Rendered expected = render(own_scene("glass"), tiny(1));
   for (const std::string& bound : hierarchy::bound_names())

@@ -74,9 +74,8 @@ TEST_CASE("every sort key gives the same hits and picture") {
 }
 
 TEST_CASE("kinds sorted by different keys, or one not at all, give the same hits and picture") {
-  CHECK(difference_by([](auto& options) {
-          options.keys = in_turn<std::string>({"octahedral", "", "spherical"});
-        }) == "");
+  const auto keys = in_turn<std::string>({"octahedral", "", "spherical"});
+  CHECK(difference_by([&](auto& options) { options.keys = keys; }) == "");
   CHECK(difference_by([](auto& options) { options.keys = in_turn<std::string>({"", "hilbert", ""}); }) == "");
 }
 

@@ -146,7 +146,7 @@ void check_objects(Tracer& tracer, const World& world, const Traced& all, uint32
 
 TEST_CASE("no ray that hits is lost by a node in the object hierarchy, where lanes walk together and alone") {
   gpu::DeviceRequest request = test::device().request();
-  request.walk_alone = true;
+  request.no_shuffles = true;
   gpu::Device alone(request);
   for (gpu::Device* device : {&test::device(), &alone}) {
     Tracer tracer(*device);
@@ -178,9 +178,9 @@ TEST_CASE("rays of nodes that need very many tests go one by one, and lose no hi
 
 TEST_CASE("lanes that walk together and alone make the same tests") {
   gpu::DeviceRequest request = test::device().request();
-  request.walk_alone = true;
-  gpu::Device alone_device(request);
-  Tracer together(test::device()), alone(alone_device);
+  request.no_shuffles = true;
+  gpu::Device no_shuffle_device(request);
+  Tracer together(test::device()), alone(no_shuffle_device);
   const World one = make_world(together, 4), other = make_world(alone, 4);
   TraceOptions options{algorithm(8, 2)};
   options.algorithm.bound = "slab-edges", options.algorithm.nodes = NodeCut::cut;

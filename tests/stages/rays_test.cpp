@@ -240,7 +240,7 @@ TEST_CASE("plans keep to 64 segments and the given slots, and leave nothing out"
         uint64_t wanted = 0;
         for (const rays::BatchPlan& plan : plans) {
           CHECK(plan.slots() <= 4096);
-          CHECK(plan.segments.size() <= rays::most_segments);
+          CHECK(plan.segments.size() <= rays::max_segments);
           if (!mixed)
             for (const rays::Wanted& w : plan.segments) CHECK(w.kind == plan.segments[0].kind);
           wanted += plan.slots();

@@ -15,9 +15,9 @@ using namespace crsh::primitives;
 
 namespace {
 
-std::vector<uint32_t> twin(const std::vector<uint32_t>& values, ScanKind kind) {
+std::vector<uint32_t> twin(const std::vector<uint32_t>& values, ScanType kind) {
   std::vector<uint32_t> sums(values.size());
-  if (kind == ScanKind::exclusive) std::exclusive_scan(values.begin(), values.end(), sums.begin(), 0u);
+  if (kind == ScanType::exclusive) std::exclusive_scan(values.begin(), values.end(), sums.begin(), 0u);
   else std::inclusive_scan(values.begin(), values.end(), sums.begin());
   return sums;
 }
@@ -28,7 +28,7 @@ gpu::Buffer upload_quads(std::vector<uint32_t> values) {
   return gpu::upload(test::device(), values, "values");
 }
 
-std::vector<uint32_t> scanned(const std::vector<uint32_t>& values, ScanKind kind, ScanShape shape, bool in_place) {
+std::vector<uint32_t> scanned(const std::vector<uint32_t>& values, ScanType kind, ScanShape shape, bool in_place) {
   gpu::Recorder recorder(test::device());
   ScanScratch scratch;
   const gpu::Buffer source = upload_quads(values), other = upload_quads(std::vector<uint32_t>(values.size()));
@@ -44,7 +44,7 @@ std::vector<ScanShape> shapes() { return {scan_shape(test::device()), {4, 64}, {
 TEST_CASE("a scan agrees with the standard library's for every length, kind, shape and in place") {
   for (const uint32_t n : test::lengths) {
     const std::vector<uint32_t> values = test::numbers(test::Pattern::random, n, 32);
-    for (const ScanKind kind : {ScanKind::exclusive, ScanKind::inclusive}) {
+    for (const ScanType kind : {ScanType::exclusive, ScanType::inclusive}) {
       const std::vector<uint32_t> expected = twin(values, kind);
       for (const ScanShape& shape : shapes())
         for (const bool in_place : {false, true}) {
@@ -66,7 +66,7 @@ TEST_CASE("an exclusive scan of one element more leaves the total there") {
     std::vector<uint32_t> longer = values;
     longer.push_back(0xBADBAD);
     const gpu::Buffer buffer = upload_quads(longer);
-    scan(recorder, scratch, buffer, buffer, n + 1, ScanKind::exclusive);
+    scan(recorder, scratch, buffer, buffer, n + 1, ScanType::exclusive);
     CAPTURE(n);
     CHECK(recorder.read<uint32_t>(buffer, 1, n)[0] == 3 * n);
   }
@@ -79,10 +79,10 @@ TEST_CASE("a scan's scratch serves longer and shorter arrays in turn, also withi
   const std::vector<uint32_t> sizes = {70'000, 3, 300'000, 1'000, 70'000};
   for (const uint32_t n : sizes) buffers.push_back(upload_quads(test::numbers(test::Pattern::random, n, 32, n)));
   for (size_t i = 0; i < sizes.size(); ++i)
-    scan(recorder, scratch, buffers[i], buffers[i], sizes[i], ScanKind::inclusive);
+    scan(recorder, scratch, buffers[i], buffers[i], sizes[i], ScanType::inclusive);
   for (size_t i = 0; i < sizes.size(); ++i) {
     const auto values = test::numbers(test::Pattern::random, sizes[i], 32, sizes[i]);
-    CHECK(recorder.read<uint32_t>(buffers[i], sizes[i]) == twin(values, ScanKind::inclusive));
+    CHECK(recorder.read<uint32_t>(buffers[i], sizes[i]) == twin(values, ScanType::inclusive));
   }
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("a scan of more elements than one binding holds is right across the bo
   const uint64_t held = std::min<uint64_t>(test::device().limits().max_binding / 4, 1u << 25), n = held + 5;
   const gpu::Buffer buffer(test::device(), quad_bytes(n), "long");
   recorder.fill(buffer, 1, n);
-  scan(recorder, scratch, buffer, buffer, n, ScanKind::inclusive);
+  scan(recorder, scratch, buffer, buffer, n, ScanType::inclusive);
   const std::vector<uint32_t> border = recorder.read<uint32_t>(buffer, 10, n - 10);
   for (uint64_t i = 0; i < 10; ++i) CHECK(border[i] == n - 10 + i + 1);
 }

@@ -174,7 +174,7 @@ TEST_CASE("the table's tracer of nodes over meshes takes the same steps") {
 TEST_CASE("lanes that walk alone give the same pairs, counters and hits as those that walk together") {
   Place place(device());
   gpu::DeviceRequest wanted = request();
-  wanted.walk_alone = true;
+  wanted.no_shuffles = true;
   gpu::Device other(wanted);
   Place there(other);
   for (const AlgorithmOptions& options : several_algorithms())
@@ -195,29 +195,29 @@ TEST_CASE("submits of 2^16 tests give the same pairs a node, counters and hits")
     const Traced expected = place.tracer.trace(place.scene, place.rays, {options});
     const Traced traced = place.tracer.trace(place.scene, place.rays, {options, 1 << 16});
     CAPTURE(options.arity);
-    CHECK(traced.portions > expected.portions);
+    CHECK(traced.slices > expected.slices);
     CHECK(same_pairs(by_node(traced.pairs), by_node(expected.pairs)));
     CHECK(traced.counters == expected.counters);
     CHECK(different_hits(traced, expected).empty());
   }
 }
 
-TEST_CASE("little memory gives the same pairs in the same order, counters and hits, in more portions") {
+TEST_CASE("little memory gives the same pairs in the same order, counters and hits, in more slices") {
   Place place(device());
   gpu::DeviceRequest wanted = request();
   wanted.memory_budget = 2'000'000;
   gpu::Device other(wanted);
   Place there(other);
-  uint32_t portions = 0, expected_portions = 0;
+  uint32_t slices = 0, expected_slices = 0;
   for (const AlgorithmOptions& options : several_algorithms()) {
     const Traced expected = place.tracer.trace(place.scene, place.rays, {options});
     const Traced traced = there.tracer.trace(there.scene, there.rays, {options});
-    portions += traced.portions, expected_portions += expected.portions;
+    slices += traced.slices, expected_slices += expected.slices;
     CAPTURE(options.arity);
     check_same(traced, expected);
     CHECK(different_hits(traced, expected).empty());
   }
-  CHECK(portions > expected_portions);
+  CHECK(slices > expected_slices);
   CHECK(other.validation_messages() == 0);
 }
 

@@ -139,14 +139,14 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
   const trace::In in = begin(scene, rays, options);
   build_nodes(rays.sorted, rays, options);
   std::vector<shared::HitPair> pairs;
-  uint32_t portions = 0;
+  uint32_t slices = 0;
   for (size_t s = 0; s < rays.batch.segments.size(); ++s) {
     const uint32_t kind = rays.batch.segments[s].kind, depth = options.algorithm.levels[kind];
     if (rays.batch.segments[s].count == 0) continue;
     const intersection::In of_rays = trace::intersection_in(in, kind);
     const auto take = [&](const traversal::Candidates& candidates) {
       const auto part = recorder_.read<shared::HitPair>(candidates.pairs, candidates.count);
-      ++portions;
+      ++slices;
       pairs.insert(pairs.end(), part.begin(), part.end());
       intersection::intersect(recorder_, of_rays, hierarchy(), rays.sorted, rays.order, candidates);
     };
@@ -155,7 +155,7 @@ Traced Tracer::trace(const scene::GpuScene& scene, const SortedBatch& rays, cons
   }
   Traced traced = result(rays);
   traced.pairs = std::move(pairs);
-  traced.portions = portions;
+  traced.slices = slices;
   return traced;
 }
 

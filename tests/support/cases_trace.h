@@ -51,7 +51,7 @@ struct Traced {
   std::vector<glm::uvec4> hits;        ///< in creation order
   std::vector<uint64_t> counters;      ///< a row a kind (shared/counters.h)
   std::vector<shared::HitPair> pairs;  ///< level-1 candidates, segment after segment
-  uint32_t portions = 0;               ///< in which they came
+  uint32_t slices = 0;                 ///< in which they came
   [[nodiscard]] uint64_t counter(uint32_t kind, uint32_t which) const;
 };
 

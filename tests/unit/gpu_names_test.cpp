@@ -78,7 +78,11 @@ TEST_CASE("arguments reach the bindings of their names, in whatever order they a
   const Buffer source = upload(test::device(), ones, "source"), sums(test::device(), 64, "sums");
   Recorder recorder(test::device());
   recorder.fill(sums, 0, 16);
-  const struct { uint32_t quads, lanes, first_lane; } push{16, 1, 0};
+  const struct {
+    uint32_t quads;
+    uint32_t lanes;
+    uint32_t first_lane;
+  } push{16, 1, 0};
   recorder.dispatch(Kernel("primitives/scan_sum", {{0, 16}, {1, 16}}), 1, push, {{"sums", sums}, {"source", source}});
   CHECK(recorder.read<uint32_t>(sums, 1)[0] == 64);
   CHECK(recorder.read<uint32_t>(source, 64) == ones);
@@ -107,7 +111,7 @@ TEST_CASE("a shader whose buffer has another name cannot stand for the embedded 
 }
 
 TEST_CASE("no embedded shader binds more than 16 storage buffers, as many texel buffers, or 8 of anything else") {
-  const StageLimits& most = most_needed();
+  const StageLimits& most = max_needed();
   CHECK(most.storage_buffers <= 16);
   CHECK(most.sampled_images <= 16);  // what every device has
   CHECK(most.storage_images <= 8);
@@ -131,7 +135,7 @@ TEST_CASE("a device that binds too little is told from one that binds enough, by
   CHECK(too_few({16, 5, 16, 4, 16}, needed) == "it binds 4 colour attachments at once, 5 are needed");
   CHECK(too_few({16, 5, 16, 8, 8}, needed) == "it binds 8 fragment resources at once, 9 are needed");
   CHECK(needs_text({32, 16, 128, 8, 64}, needed).starts_with("16 of 32 storage buffers, 5 of 16 storage images, "));
-  CHECK(too_few(test::device().info().stage, most_needed()).empty());
+  CHECK(too_few(test::device().info().stage, max_needed()).empty());
 }
 
 TEST_SUITE_END();

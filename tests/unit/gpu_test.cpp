@@ -193,7 +193,7 @@ TEST_CASE("kernels with clusters of lanes tell lanes apart, so that their subgro
   for (const std::string_view file : embedded_files()) {
     if (!file.starts_with("traversal/group_walk") && !file.starts_with("intersection/node_walk")) continue;
     CAPTURE(file);
-    CHECK(reflect(embedded_spirv(file)).tells_lanes_apart == (file.find("-alone") == file.npos));
+    CHECK(reflect(embedded_spirv(file)).tells_lanes_apart == (file.find("-no-shuffle") == file.npos));
   }
   CHECK(!reflect(embedded_spirv("primitives/iota.comp")).tells_lanes_apart);
 }

@@ -63,8 +63,8 @@ TEST_CASE("only one hierarchy over the objects is needed at once, and levels onl
   for (const Tracer& tracer : trace::tracers()) {
     CAPTURE(tracer.name);
     CHECK_FALSE((tracer.needs.object_hierarchy && tracer.needs.device_hierarchy));
-    CHECK(tracer.needs.most_levels >= 1);
-    CHECK((tracer.needs.sorted_rays || tracer.needs.most_levels == UINT32_MAX));
+    CHECK(tracer.needs.max_levels >= 1);
+    CHECK((tracer.needs.sorted_rays || tracer.needs.max_levels == UINT32_MAX));
   }
 }
 

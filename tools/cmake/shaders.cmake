@@ -1,7 +1,7 @@
 # crsh_shaders: every shaders/**/*.comp, .vert and .frag as SPIR-V inside a library, with a table of their names
 # (gpu/embedded.h). A shader with a line "// variants: FOLDER" is compiled once for every FOLDER/NAME.glsl, as
-# "path@NAME.comp": its #include "variant.glsl" then includes that file. A shader that includes lib/together.glsl is
-# compiled a second time with CRSH_ALONE defined, as "path-alone.comp" or "path-alone@NAME.comp".
+# "path@NAME.comp": its #include "variant.glsl" then includes that file. A shader that includes lib/shuffle_read.glsl is
+# compiled a second time with CRSH_NO_SHUFFLE defined, as "path-no-shuffle.comp" or "path-no-shuffle@NAME.comp".
 
 set(shader_root ${PROJECT_SOURCE_DIR}/shaders)
 set(shader_output ${CMAKE_BINARY_DIR}/shaders)
@@ -31,8 +31,8 @@ macro(add_shader_variants source folder)
     string(REGEX REPLACE "(\\.[a-z]+)$" "@${variant_name}\\1" variant_source ${source})
     add_shader(${source} ${variant_source} -I${variant_folder})
     if(comes_twice)
-      string(REPLACE "@" "-alone@" alone_source ${variant_source})
-      add_shader(${source} ${alone_source} -I${variant_folder} -DCRSH_ALONE)
+      string(REPLACE "@" "-no-shuffle@" no_shuffle_source ${variant_source})
+      add_shader(${source} ${no_shuffle_source} -I${variant_folder} -DCRSH_NO_SHUFFLE)
     endif()
   endforeach()
 endmacro()
@@ -47,15 +47,15 @@ foreach(source IN LISTS shader_sources)
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${shader_root}/${source})  # its variants line
   file(STRINGS ${shader_root}/${source} variants_line REGEX "^// variants: " LIMIT_COUNT 1)
-  file(STRINGS ${shader_root}/${source} comes_twice REGEX "^#include \"lib/together.glsl\"" LIMIT_COUNT 1)
+  file(STRINGS ${shader_root}/${source} comes_twice REGEX "^#include \"lib/shuffle_read.glsl\"" LIMIT_COUNT 1)
   if(variants_line)
     string(REGEX REPLACE "^// variants: *([^ ]+).*" "\\1" folder "${variants_line}")
     add_shader_variants(${source} ${folder})
   else()
     add_shader(${source} ${source})
     if(comes_twice)
-      string(REGEX REPLACE "(\\.[a-z]+)$" "-alone\\1" alone_source ${source})
-      add_shader(${source} ${alone_source} -DCRSH_ALONE)
+      string(REGEX REPLACE "(\\.[a-z]+)$" "-no-shuffle\\1" no_shuffle_source ${source})
+      add_shader(${source} ${no_shuffle_source} -DCRSH_NO_SHUFFLE)
     endif()
   endif()
 endforeach()

@@ -59,17 +59,19 @@ bool bound_may_hit_corners(Slab node, Interval interval, vec3 a, vec3 b, vec3 c,
   return may_hit;
 }
 
-struct ReadyEdges {
-  ReadySlab slab;
+struct PreparedEdges {
+  PreparedSlab slab;
   Middle middle;
 };
-#define READY ReadyEdges
-READY ready(Slab node, bool use_interval) { return ReadyEdges(slab_ready(node, use_interval), middle_of(node)); }
-bool ready_may_hit_box(READY node, float reach, vec3 low, vec3 high, out float enter) {
-  return slab_ready_may_hit_box(node.slab, reach, low, high, enter);
+#define PREPARED PreparedEdges
+PREPARED prepare(Slab node, bool use_interval) {
+  return PreparedEdges(slab_prepare(node, use_interval), middle_of(node));
 }
-bool ready_may_hit_corners(READY node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
-  bool may_hit = slab_ready_may_hit_corners_box(node.slab, reach, a, b, c, enter);
+bool prepared_may_hit_box(PREPARED node, float reach, vec3 low, vec3 high, out float enter) {
+  return slab_prepared_may_hit_box(node.slab, reach, low, high, enter);
+}
+bool prepared_may_hit_corners(PREPARED node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
+  bool may_hit = slab_prepared_may_hit_corners_box(node.slab, reach, a, b, c, enter);
   if (may_hit) may_hit = may_pass_between(node.middle, a, b, c);
   return may_hit;
 }

@@ -10,11 +10,11 @@ bool bound_may_hit_corners(Slab node, Interval interval, vec3 a, vec3 b, vec3 c,
   return slab_may_hit_corners_box(node, interval, a, b, c, use_interval);
 }
 
-#define READY ReadySlab
-READY ready(Slab node, bool use_interval) { return slab_ready(node, use_interval); }
-bool ready_may_hit_box(READY node, float reach, vec3 low, vec3 high, out float enter) {
-  return slab_ready_may_hit_box(node, reach, low, high, enter);
+#define PREPARED PreparedSlab
+PREPARED prepare(Slab node, bool use_interval) { return slab_prepare(node, use_interval); }
+bool prepared_may_hit_box(PREPARED node, float reach, vec3 low, vec3 high, out float enter) {
+  return slab_prepared_may_hit_box(node, reach, low, high, enter);
 }
-bool ready_may_hit_corners(READY node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
-  return slab_ready_may_hit_corners_box(node, reach, a, b, c, enter);
+bool prepared_may_hit_corners(PREPARED node, float reach, vec3 a, vec3 b, vec3 c, out float enter) {
+  return slab_prepared_may_hit_corners_box(node, reach, a, b, c, enter);
 }

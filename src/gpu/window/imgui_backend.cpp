@@ -8,7 +8,7 @@
 namespace crsh::gpu {
 namespace {
 
-constexpr uint32_t most_sets = 8;  // one for the fonts, and some to spare
+constexpr uint32_t max_sets = 8;  // one for the fonts, and some to spare
 
 void check_backend(VkResult result) { check(result, "drawing the window"); }
 
@@ -50,10 +50,10 @@ ImguiBackend::~ImguiBackend() {
 }
 
 void ImguiBackend::make_pool() {
-  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, most_sets};
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, max_sets};
   VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   info.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
-  info.maxSets = most_sets;
+  info.maxSets = max_sets;
   info.poolSizeCount = 1;
   info.pPoolSizes = &size;
   check(vkCreateDescriptorPool(device_.handle(), &info, nullptr, &pool_), "making a descriptor pool");

@@ -44,8 +44,8 @@ void require_bindings(const gpu::Device& device, const Scene& scene) {
   }
   require_binding(device, scene, vertices, sizeof(shared::Vertex), "vertices");
   require_binding(device, scene, triangles, sizeof(glm::uvec4), "triangles");
-  const uint64_t most_drawn = std::min(device.limits().max_binding / sizeof(glm::vec4), device.limits().max_texels);
-  require_at_most(device, scene, scene.triangle_count(), most_drawn, "drawn triangles");
+  const uint64_t max_drawn = std::min(device.limits().max_binding / sizeof(glm::vec4), device.limits().max_texels);
+  require_at_most(device, scene, scene.triangle_count(), max_drawn, "drawn triangles");
   require_binding(device, scene, scene.instances.size(), sizeof(shared::Instance), "objects");
 }
 

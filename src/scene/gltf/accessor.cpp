@@ -13,7 +13,7 @@ namespace crsh::scene {
 namespace {
 
 // An accessor without data stands for zeros: the one way to ask for much memory with few bytes.
-constexpr uint64_t most_zeros = uint64_t{1} << 24u;
+constexpr uint64_t max_zeros = uint64_t{1} << 24u;
 constexpr uint64_t longest_stride = 65535;
 
 uint32_t components_of(int type, const std::string& where) {
@@ -107,7 +107,7 @@ void Accessor::read_dense(Document& document, const tinygltf::Accessor& from) {
     data_ = range(document.view(from.bufferView), from.byteOffset, count_, stride_, size_, where_);
     return;
   }
-  if (count_ > most_zeros) throw Fault(where_ + " has " + std::to_string(count_) + " elements but no data");
+  if (count_ > max_zeros) throw Fault(where_ + " has " + std::to_string(count_) + " elements but no data");
   document.spend(count_);
   owned_.resize(count_ * size_);
   data_ = owned_;

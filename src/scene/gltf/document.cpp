@@ -27,8 +27,8 @@ void restore(tinygltf::Model& model, const Prepared& prepared) {
 
 }  // namespace
 
-Document::Document(const std::filesystem::path& path, Reach reach, uint64_t most_work)
-    : folder_(path.parent_path()), reach_(reach), work_left_(most_work) {
+Document::Document(const std::filesystem::path& path, Reach reach, uint64_t max_work)
+    : folder_(path.parent_path()), reach_(reach), work_left_(max_work) {
   const Bytes bytes = read_file(path);
   const Container container = open_container(bytes);
   Prepared prepared = prepared_json(container.text);

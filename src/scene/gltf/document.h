@@ -18,9 +18,9 @@ namespace crsh::scene {
 /// first asked for, and every range is checked.
 class Document {
  public:
-  /// `most_work`: how many elements spend() allows.
+  /// `max_work`: how many elements spend() allows.
   explicit Document(const std::filesystem::path& path, Reach reach = Reach::folder,
-                    uint64_t most_work = uint64_t{1} << 30u);
+                    uint64_t max_work = uint64_t{1} << 30u);
 
   /// Its types are checked, its references are not: see at() in checked.h.
   [[nodiscard]] const tinygltf::Model& model() const { return model_; }

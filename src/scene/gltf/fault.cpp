@@ -6,7 +6,7 @@ namespace crsh::scene {
 
 namespace {
 // A hostile file could otherwise fill the terminal, with a note for each of its images.
-constexpr size_t most_notes = 64;
+constexpr size_t max_notes = 64;
 
 bool starts_a_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }
 }  // namespace
@@ -29,8 +29,8 @@ std::string in_quotes(std::string_view text, size_t limit) {
 
 void Notes::add(std::string_view clause) {
   const std::string line = printable(clause, 200);
-  if (list_.size() > most_notes || std::find(list_.begin(), list_.end(), line) != list_.end()) return;
-  list_.push_back(list_.size() < most_notes ? line : "more of that kind");
+  if (list_.size() > max_notes || std::find(list_.begin(), list_.end(), line) != list_.end()) return;
+  list_.push_back(list_.size() < max_notes ? line : "more of that kind");
 }
 
 }  // namespace crsh::scene

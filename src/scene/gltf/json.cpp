@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 constexpr size_t deepest = 64;
-constexpr size_t most_values = size_t{1} << 24u;
+constexpr size_t max_values = size_t{1} << 24u;
 
 /// From behind a string's first quote to behind its last.
 std::span<const uint8_t> behind_string(std::span<const uint8_t> rest) {
@@ -37,7 +37,7 @@ void check_size(std::span<const uint8_t> text) {
     depth -= closes && depth > 0;
     if (depth > deepest)
       throw Fault("its JSON nests deeper than 64 levels at byte " + std::to_string(text.size() - rest.size()));
-    if (values > most_values) throw Fault("its JSON has more than 16 million values", "split or simplify the scene");
+    if (values > max_values) throw Fault("its JSON has more than 16 million values", "split or simplify the scene");
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 constexpr double largest_index = 2147483647.0;      // tinygltf keeps them in an int
 constexpr double largest_length = 1099511627776.0;  // 2^40: products with a stride still fit 64 bits
-constexpr size_t most_bytes = size_t{2} << 30u;     // of tinygltf's lists
+constexpr size_t max_bytes = size_t{2} << 30u;      // of tinygltf's lists
 
 /// Where in the file we are; written out for messages alone.
 struct Where {
@@ -111,7 +111,7 @@ class Check {
   void list(json& value, const Shape& shape, const Where& where) {
     need(value.is_array(), " is not an array", where);
     bytes_ += value.size() * shape.bytes;
-    if (bytes_ > most_bytes) throw Fault("is too large to be drawn", "simplify the scene");
+    if (bytes_ > max_bytes) throw Fault("is too large to be drawn", "simplify the scene");
     for (size_t i = 0; i < value.size(); ++i) object(value[i], shape, {where.outer, where.name, i});
   }
 

@@ -11,7 +11,7 @@ namespace crsh::scene {
 namespace {
 
 // Images of one file may take this many texels together; more are drawn without (2 GiB).
-constexpr uint64_t most_texels = uint64_t{1} << 29u;
+constexpr uint64_t max_texels = uint64_t{1} << 29u;
 
 Wrap wrap_of(int code, const std::string& name) {
   switch (code) {
@@ -87,7 +87,7 @@ std::optional<uint32_t> TextureReader::image(int index) {
 std::optional<uint32_t> TextureReader::read_image(int index) {
   const ImageSource& source = document_.image(index);
   try {
-    if (texels_ > most_texels) throw Fault("the others take 2 GiB already");
+    if (texels_ > max_texels) throw Fault("the others take 2 GiB already");
     Image picture = decoded(source);
     texels_ += picture.rgba.size() / 4;
     scene_.images.push_back(std::move(picture));

@@ -57,7 +57,7 @@ void draw_overlays(const Model& model, const Layout& layout, double heat) {
   if (!model.left.shown) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({layout.low().x, layout.low().y}, {layout.high().x, layout.high().y});
-  draw_inside(model, layout);
+  draw_nodes_and_boxes(model, layout);
   if (model.split) draw_split(list, model, layout);
   if (heat > 0 && (is_heat(model.left.show) || (model.split && is_heat(model.right.show))))
     draw_heat_scale(list, layout, heat);

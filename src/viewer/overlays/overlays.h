@@ -10,6 +10,6 @@ namespace crsh::viewer {
 void draw_overlays(const Model& model, const Layout& layout, double heat);
 
 /// Draws ray nodes and bounds of objects, where they are to be shown.
-void draw_inside(const Model& model, const Layout& layout);
+void draw_nodes_and_boxes(const Model& model, const Layout& layout);
 
 }  // namespace crsh::viewer

@@ -40,7 +40,7 @@ std::string state_text(const Model& model) {
     return model.path.empty() ? "Drop a glTF scene (.glb, .gltf) here" : model.path;
   const Shown& shown = *model.left.shown;
   const std::string samples = shown.fine ? fmt::format("sample {} of {}", shown.options.samples,
-                                                       model.two_pictures() ? 1 : model.arguments.most_samples)
+                                                       model.two_pictures() ? 1 : model.arguments.max_samples)
                                          : std::string("moving");
   return fmt::format("{}   |   {} triangles   |   {}x{}   |   {}   |   {:.0f} ms   |   H: all keys",
                      model.scene()->path.filename().string(), shown.statistics.triangles, shown.picture.width,

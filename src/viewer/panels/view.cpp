@@ -35,7 +35,7 @@ void choose_split(Model& model, Widgets& widgets) {
 }
 
 /// How rays are bundled, and what they are tested against.
-void choose_inside(Model& model, Widgets& widgets) {
+void choose_nodes_and_boxes(Model& model, Widgets& widgets) {
   const bool order = model.left.show == Show::order || (model.split && model.right.show == Show::order);
   widgets.check("ray nodes", "Ray nodes", model.show_nodes);
   widgets.hint("Balls around where bundled rays start, cones around where they go");
@@ -46,8 +46,8 @@ void choose_inside(Model& model, Widgets& widgets) {
     std::vector<std::string> kinds;
     for (const RayKind& kind : ray_kinds) kinds.emplace_back(kind.name);
     std::string chosen;
-    if (widgets.choice("of rays", "of rays", kinds[model.inspect_kind], kinds, chosen))
-      model.inspect_kind = uint32_t(std::ranges::find(kinds, chosen) - kinds.begin());
+    if (widgets.choice("of rays", "of rays", kinds[model.node_kind], kinds, chosen))
+      model.node_kind = uint32_t(std::ranges::find(kinds, chosen) - kinds.begin());
   }
   if (model.show_nodes) {
     int level = int(model.nodes_level);
@@ -71,7 +71,7 @@ void draw_view_section(Model& model, Widgets& widgets) {
   if (!widgets.header("View", "View", true)) return;
   choose_show(widgets, "show", "Show", model.left.show);
   choose_split(model, widgets);
-  choose_inside(model, widgets);
+  choose_nodes_and_boxes(model, widgets);
   choose_exposure(model, widgets);
   if (widgets.button("frame", "Frame all")) model.frame_all();
   ImGui::SameLine();

@@ -13,8 +13,8 @@
 namespace crsh::viewer {
 namespace {
 
-constexpr size_t most_nodes = 300;  // drawn of a level
-constexpr float widest = 1.2f;      // radians: wider cones are not drawn
+constexpr size_t max_nodes = 300;  // drawn of a level
+constexpr float widest = 1.2f;     // radians: wider cones are not drawn
 constexpr int circle_steps = 32, cone_lines = 8;
 
 /// Draws lines of the world where the picture shows them.
@@ -92,33 +92,33 @@ void draw_node(const Pen& pen, const RayNode& node, float reach, ImU32 colour) {
 }
 
 /// The places in sorted order of the rays of the pixel under the cursor.
-std::vector<uint32_t> places_under_cursor(const Inspection& inside, const Layout& layout) {
+std::vector<uint32_t> places_under_cursor(const NodeFrame& frame, const Layout& layout) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const glm::vec2 share = (glm::vec2(mouse.x, mouse.y) - layout.low()) / (layout.high() - layout.low());
   std::vector<uint32_t> places;
   if (share.x < 0 || share.y < 0 || share.x >= 1 || share.y >= 1) return places;
-  const uint32_t pixel = uint32_t(share.y * float(inside.order.height)) * inside.order.width +
-                         uint32_t(share.x * float(inside.order.width));
-  for (auto at = std::ranges::lower_bound(inside.places, std::pair(pixel, 0u));
-       at != inside.places.end() && at->first == pixel; ++at)
+  const uint32_t pixel =
+      uint32_t(share.y * float(frame.order.height)) * frame.order.width + uint32_t(share.x * float(frame.order.width));
+  for (auto at = std::ranges::lower_bound(frame.places, std::pair(pixel, 0u));
+       at != frame.places.end() && at->first == pixel; ++at)
     places.push_back(at->second);
   return places;
 }
 
-void draw_nodes(const Pen& pen, const Model& model, const Layout& layout) {
-  const Inspection& inside = *model.left.inside;
+void draw_chosen_nodes(const Pen& pen, const Model& model, const Layout& layout) {
+  const NodeFrame& frame = *model.left.node_frame;
   std::vector<const RayNode*> chosen;
   const std::vector<uint32_t> places =
-      model.nodes_of_all ? std::vector<uint32_t>() : places_under_cursor(inside, layout);
-  for (const RayNode& node : inside.nodes) {
+      model.nodes_of_all ? std::vector<uint32_t>() : places_under_cursor(frame, layout);
+  for (const RayNode& node : frame.nodes) {
     const auto holds = [&](uint32_t place) { return place >= node.first && place < node.end; };
     if (node.level == model.nodes_level && (model.nodes_of_all || std::ranges::any_of(places, holds)))
       chosen.push_back(&node);
   }
-  const size_t step = (chosen.size() + most_nodes - 1) / most_nodes;
+  const size_t step = (chosen.size() + max_nodes - 1) / max_nodes;
   for (size_t i = 0; i < chosen.size(); i += step) {
     const double place = chosen.size() > 1 ? double(i) / double(chosen.size() - 1) : 0.8;
-    draw_node(pen, *chosen[i], inside.reaches[size_t(chosen[i] - inside.nodes.data())],
+    draw_node(pen, *chosen[i], frame.reaches[size_t(chosen[i] - frame.nodes.data())],
               heat(place, model.nodes_of_all ? 150 : 235));
   }
 }
@@ -128,24 +128,24 @@ void draw_bounds(const Pen& pen, const Model& model) {
   const scene::Scene& scene = *model.scene();
   const scene::Pose pose = scene.pose(model.left.shown->seconds, model.animation());
   const auto hidden = scene::hidden_instances(scene, model.command.options.hidden);
-  const bool boxes = model.has_object_hierarchy() && model.left.inside &&
-                     !model.left.inside->boxes.empty();  // else they may be those of an algorithm chosen before
+  const bool boxes = model.has_object_hierarchy() && model.left.node_frame &&
+                     !model.left.node_frame->boxes.empty();  // else they may be those of an algorithm chosen before
   for (size_t i = 0; !boxes && i < scene.instances.size(); ++i) {
     if (hidden[i]) continue;
     const scene::Sphere sphere = scene::transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
     pen.ball(sphere.centre, sphere.radius, heat(double(i) / double(scene.instances.size()), 220));
   }
   if (!boxes) return;
-  for (const ObjectBox& box : model.left.inside->boxes)
+  for (const ObjectBox& box : model.left.node_frame->boxes)
     if (box.depth == model.box_depth) pen.box(box.low, box.high, heat(double(box.depth) / 8, 220));
 }
 
 }  // namespace
 
-void draw_inside(const Model& model, const Layout& layout) {
+void draw_nodes_and_boxes(const Model& model, const Layout& layout) {
   const Pen pen(*ImGui::GetBackgroundDrawList(), model.left.shown->picture, layout);
   if (model.show_bounds && model.scene()) draw_bounds(pen, model);
-  if (model.show_nodes && model.left.inside) draw_nodes(pen, model, layout);
+  if (model.show_nodes && model.left.node_frame) draw_chosen_nodes(pen, model, layout);
 }
 
 }  // namespace crsh::viewer

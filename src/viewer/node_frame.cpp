@@ -1,4 +1,4 @@
-#include "viewer/inspection.h"
+#include "viewer/node_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@ namespace crsh::viewer {
 namespace {
 
 constexpr uint32_t box_depth = 8;
-constexpr double most_rays = 250'000, most_moving = 20'000;
+constexpr double max_rays = 250'000, max_moving = 20'000;
 
 /// The options for one kind of rays, and for a picture so small that a table holds its rays with ease.
-RenderOptions reduced(const InspectIn& in) {
+RenderOptions reduced(const NodeFrameIn& in) {
   const RayKind& kind = ray_kinds[in.kind];
   RenderOptions options = in.options;
   options.rays.fill(false);
@@ -19,14 +19,14 @@ RenderOptions reduced(const InspectIn& in) {
   options.bounces = kind.cast_at(0, 0) ? 0 : 1;
   options.layers = {LayerId::beauty};
   const double rays = double(options.width) * options.height * (kind.one_a_light ? std::max(in.lights, 1u) : 1);
-  const double by = std::sqrt(std::max(rays / (in.moving ? most_moving : most_rays), 1.0));
+  const double by = std::sqrt(std::max(rays / (in.moving ? max_moving : max_rays), 1.0));
   options.width = std::max(1u, uint32_t(options.width / by));
   options.height = std::max(1u, uint32_t(options.height / by));
   return options;
 }
 
 /// Fills the layer with each pixel's place among the sorted rays; of shadow rays, those of the first light.
-void fill_order(const RayTable& table, Inspection& made) {
+void fill_order(const RayTable& table, NodeFrame& made) {
   Layer layer{.name = order_layer, .channels = {"Y"}, .values = {}, .ids = {}};
   layer.values.assign(size_t(made.order.width) * made.order.height, std::numeric_limits<float>::quiet_NaN());
   uint32_t low = UINT32_MAX, high = 0;
@@ -40,7 +40,7 @@ void fill_order(const RayTable& table, Inspection& made) {
 }
 
 /// Fills in how far the rays of each node go: to what they hit; shadow rays, which start at the light, to their end.
-void fill_reaches(const RayTable& table, Inspection& made) {
+void fill_reaches(const RayTable& table, NodeFrame& made) {
   constexpr float far = 1e15f;
   std::vector<float> of_place(table.size());
   for (uint32_t row = 0; row < table.size(); ++row) {
@@ -53,8 +53,8 @@ void fill_reaches(const RayTable& table, Inspection& made) {
 
 }  // namespace
 
-Inspection inspect(Renderer& renderer, const InspectIn& in) {
-  Inspection made;
+NodeFrame render_node_frame(Renderer& renderer, const NodeFrameIn& in) {
+  NodeFrame made;
   RayTable table;
   renderer.change(reduced(in));
   renderer.watch_nodes(&made.nodes);

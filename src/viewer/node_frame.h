@@ -10,7 +10,7 @@
 
 namespace crsh::viewer {
 
-struct Inspection {
+struct NodeFrame {
   Picture order;  ///< layer `order_layer`: place of the pixel's ray in sorted order, 0 to 1; NaN: it has none
   std::vector<RayNode> nodes;                         ///< over the rays of the first bounce
   std::vector<std::pair<uint32_t, uint32_t>> places;  ///< pixel and RayTable::sorted of each ray, sorted by pixel
@@ -21,7 +21,7 @@ struct Inspection {
 
 inline constexpr const char* order_layer = "Order";
 
-struct InspectIn {
+struct NodeFrameIn {
   RenderOptions options;  ///< of the fine picture
   double seconds = 0;
   uint32_t kind = 0;    ///< of the rays
@@ -30,6 +30,6 @@ struct InspectIn {
 };
 
 /// Renders such a frame. It changes the renderer's options, and does not change them back.
-[[nodiscard]] Inspection inspect(Renderer& renderer, const InspectIn& in);
+[[nodiscard]] NodeFrame render_node_frame(Renderer& renderer, const NodeFrameIn& in);
 
 }  // namespace crsh::viewer

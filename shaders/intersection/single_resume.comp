@@ -1,5 +1,5 @@
 #version 460
-// Goes on with rays that need very many tests, a portion of them a dispatch. Between dispatches a ray's stack and what
+// Goes on with rays that need very many tests, a piece of them a dispatch. Between dispatches a ray's stack and what
 // it visits next lie in memory. Lane: a ray of the list.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -36,7 +36,7 @@ void main() {
   Ray ray = rays[id];
   Walk walk = Walk(states[i].x, states[i].y, hits[id], 0u, 0u);
   for (uint k = 0u; k < walk.depth; ++k) stack[k] = stacks[base + k];
-  walk_on(walk, ray, takes_any_hit(ray));
+  continue_walk(walk, ray, takes_any_hit(ray));
   hits[id] = walk.hit;
   states[i] = uvec2(walk.next, walk.depth);
   for (uint k = 0u; k < walk.depth; ++k) stacks[base + k] = stack[k];
