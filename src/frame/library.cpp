@@ -14,7 +14,8 @@ const DeviceInfo& info_of(const DevicePtr& device) { return device->info(); }
 std::vector<DeviceInfo> list_devices() { return gpu::list_devices(); }
 
 ScenePtr read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  auto scene = std::make_shared<scene::Scene>(scene::load(path, options.scene));
+  auto scene = std::make_shared<scene::Scene>(
+      scene::load(path, options.scene, options.allow_outside ? scene::Reach::anywhere : scene::Reach::folder));
   scene::hide(*scene, options.hidden);
   return scene;
 }

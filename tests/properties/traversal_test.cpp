@@ -10,6 +10,7 @@
 #include "shared/counters.h"
 #include "support/cases_trace.h"
 #include "support/device.h"
+#include "support/kinds.h"
 
 using namespace crsh;
 using namespace crsh::test;
@@ -234,7 +235,7 @@ TEST_CASE("ray kinds mixed in one batch find the same hits and count the same as
   Random random(21);
   const scene::GpuScene scene = make_scene(tracer.recorder(), hard_objects(random));
   const Lists lists = ray_lists(random, world_triangles(tracer.recorder(), scene), 300);
-  for (const std::array<uint32_t, 3>& levels : {std::array{2u, 2u, 2u}, {3u, 1u, 5u}}) {
+  for (const PerKind<uint32_t>& levels : {test::in_turn<uint32_t>({2}), test::in_turn<uint32_t>({3, 1, 5})}) {
     TraceOptions options{algorithm(8, 2)};
     options.algorithm.levels = levels;
     const Traced mixed = tracer.trace(scene, make_batch(test::device(), lists), options);

@@ -95,8 +95,8 @@ TEST_CASE("whatever helps has plain words, and words for the command line") {
 }
 
 TEST_CASE("a chosen light becomes an option to paste") {
-  CHECK(cli::option_of({glm::vec3(1, -0.5f, 3), 25.5f}) == "--light 1,-0.5,3,25.5");
-  CHECK(cli::option_of({glm::vec3(0), {}}) == "--light 0,0,0");
+  CHECK(cli::option_of(LightOption{glm::vec3(1, -0.5f, 3), 25.5f}) == "--light 1,-0.5,3,25.5");
+  CHECK(cli::option_of(LightOption{glm::vec3(0), {}}) == "--light 0,0,0");
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST_CASE("making a pipeline and its first run, in which drivers compile, are ti
   Recorder recorder(own);
   recorder.stage(Stage::shading);
   const auto run = [&] {
-    recorder.dispatch("primitives/iota", 16, Count{16}, {numbers});
+    recorder.dispatch("primitives/iota", 16, Count{16}, {{"numbers", numbers}});
     recorder.submit();
     return recorder.profiler().take_milliseconds()[size_t(Stage::shading)];
   };

@@ -52,7 +52,7 @@ TEST_CASE("the presets are those of the design") {
   }
   CHECK(preset(default_preset).preset == default_preset);
   for (const Preset& row : preset_table()) {
-    CHECK(row.options().tracing == preset(row.name).tracing);
+    CHECK(row.options().tracer == preset(row.name).tracer);
     CHECK(cli::presets_help().find(row.help) != std::string::npos);
   }
   CHECK_THROWS_WITH_AS((void)preset("bvh9"), Contains("brute, bvh, rah, crsh-2017, crsh, crsh-bvh, ray-query"),
