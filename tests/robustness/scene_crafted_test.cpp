@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "complaint.h"
 
@@ -36,12 +36,13 @@ GltfText textured(const std::string& image) {
   return file;
 }
 
+/// The processor's: others may keep the machine busy.
 double seconds_to_load(const std::string& content) {
   const Folder folder;
   const auto path = folder.write("scene.gltf", content);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   CHECK(scene::load(path).triangle_count() > 0);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 }  // namespace
