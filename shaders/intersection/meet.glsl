@@ -1,6 +1,6 @@
-// What happens where a ray meets a triangle (section 3.2.6), for every kernel that tests rays: the one test of
-// lib/triangle.glsl, then the closest hit with ties to the lower id, or a shadow ray's transmittance.
-// Bindings 0 to 4 are taken.
+// What happens where a ray meets a triangle (section 3.2.6), the same for every kernel that tests rays: the test of
+// lib/triangle.glsl, then the closest hit, with ties to the lower id, or a shadow ray's transmittance. It uses bindings
+// 0 to 4.
 
 #include "intersection/no_hit.glsl"
 #include "lib/shuffle_read.glsl"
@@ -15,13 +15,14 @@ layout(binding = 4, scalar) buffer Hits { uvec4 hits[]; };
 
 const uint blocked = 0xFFFFFFFFu;
 
-/// Transmittances are added as -log2 in fixed point and stop at `blocked`: no order and no repetition can show.
+/// Transmittances are added as -log2 in fixed point, up to `blocked` at most, so that the sum does not depend on the
+/// order of adding.
 uvec3 saturating_sum(uvec3 a, uvec3 b) {
   uvec3 sum = a + b;
   return mix(sum, uvec3(blocked), lessThan(sum, a));
 }
 
-/// A triangle as it is loaded: three corners, the flags in the first one's w.
+/// A triangle as it lies in memory: three corners, with the flags in the first one's w.
 struct Loaded {
   uint id;
   vec4 a;
@@ -39,7 +40,7 @@ Loaded load_leaf_triangle(uint place) {
   return Loaded(floatBitsToUint(c.w), corner_a[place], corner_b[place], c);
 }
 
-/// What lane k of the subgroup has loaded.
+/// The triangle that lane k of the subgroup has loaded.
 Loaded passed_round(Loaded mine, uint k) {
   return Loaded(FROM_LANE(mine.id, k), FROM_LANE(mine.a, k), vec4(FROM_LANE(mine.b.xyz, k), 0.0),
                 vec4(FROM_LANE(mine.c.xyz, k), 0.0));

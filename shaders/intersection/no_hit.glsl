@@ -4,7 +4,7 @@
 #include "shared/limits.h"
 #include "shared/ray.h"
 
-/// What a ray begins with: t infinite and no triangle, or a transmittance of 1 (-log2 is 0).
+/// The hit of a ray that was not tested yet: t infinite and no triangle, or a transmittance of 1 (-log2 is 0).
 uvec4 no_hit(Ray ray) { return takes_any_hit(ray) ? uvec4(0u) : uvec4(0x7F800000u, none, 0u, 0u); }
 
 #endif

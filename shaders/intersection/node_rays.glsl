@@ -2,10 +2,10 @@
 
 uvec2 node_rays;  // sorted positions, first and end
 
-/// Nothing can change what has become of the ray.
+/// Whether no further triangle can change the ray's hit.
 bool is_done(Ray ray, uvec4 hit) { return takes_any_hit(ray) && all(equal(hit.xyz, uvec3(blocked))); }
 
-/// Beyond this t nothing counts.
+/// What lies beyond this t cannot change the hit.
 float limit_of(Ray ray, uvec4 hit) {
   float end = use_interval == 1u ? ray.origin.w : 3e38;
   return takes_any_hit(ray) ? end : min(end, uintBitsToFloat(hit.x));
@@ -23,10 +23,10 @@ void take_rays(uint node) {
   for (uint i = node_rays.x; i < node_rays.y; ++i) hits[order[i]] = no_hit(rays[i]);
 }
 
-/// Turns of a loop over the rays.
+/// How many turns a loop over the rays takes.
 uint turns_of_rays() { return node_rays.y - node_rays.x; }
 
-/// The triangle against all rays that want it.
+/// Tests the triangle against all rays for which it matters.
 void meet_rays(Loaded triangle, float enter) {
   for (uint i = node_rays.x; i < node_rays.y; ++i) {
     Ray ray = rays[i];
@@ -40,7 +40,7 @@ void meet_rays(Loaded triangle, float enter) {
   }
 }
 
-/// No ray of the node is interested in anything beyond; below 0: in anything.
+/// The distance beyond which nothing matters to any ray of the node; below 0: nothing matters at all.
 float reach_of_rays() {
   float reach = -1.0;
   for (uint i = node_rays.x; i < node_rays.y; ++i) {
@@ -51,7 +51,8 @@ float reach_of_rays() {
   return reach;
 }
 
-/// The rays are finished; or they are left, as if nothing had been.
+/// Ends the node: writes the hits of its rays, or, where it is not done, lists the rays and leaves their hits as they
+/// were.
 void give_rays(bool done) {
   for (uint i = done ? node_rays.y : node_rays.x; i < node_rays.y; ++i) {
     uint id = order[i];
@@ -61,9 +62,9 @@ void give_rays(bool done) {
 
 #else
 
-// Ray `row * cluster + lane` of the node is lane's; those past the node's last one are never wanted. A row is a
-// variable of its own, and no loop goes over them: its body would be run once more than there are rows, and an array
-// kept in memory.
+// A lane has the rays `row * cluster + lane` of the node; rows past the node's last ray are never tested. Each row is a
+// variable of its own, without a loop over them: lavapipe would run a loop's body once more than there are rows, and
+// keep an array in memory.
 struct OwnRay {
   uint id;
   Ray ray;
@@ -86,7 +87,7 @@ bool has_ray(uint row) { return row * cluster + lane_in_cluster() < node_rays.y 
 
 OwnRay taken_ray(uint row) {
   OwnRay own = OwnRay(0u, Ray(vec4(0.0), vec4(1.0)), Shear(false, false, 0.0, vec2(0.0)), uvec4(0u), 0u);
-  if (has_ray(row)) {  // software pays by the lane
+  if (has_ray(row)) {  // on a CPU each lane's load takes time
     uint position = node_rays.x + row * cluster + lane_in_cluster();
     own.id = order[position];
     own.ray = rays[position];

@@ -1,14 +1,15 @@
 #version 460
 // variants: hierarchy/bounds
-// Level-1 nodes through the object hierarchy, from their groups' frontiers down to the leaves, and their rays against
-// the triangles that the node may hit: depth first, the nearer child first, no farther than the rays' hits so far, and
-// no more where all shadow rays of the node are blocked. (Sections 3.2.5 and 3.2.6, and the paper's future work.)
+// Walks level-1 nodes through the object hierarchy, from their groups' frontiers down to the leaves, and tests their
+// rays against the triangles that the node may hit. Depth first, the nearer child first, no farther than the rays' hits
+// so far, and only until all shadow rays of the node are blocked. (Sections 3.2.5 and 3.2.6, and the paper's future
+// work.)
 //
 // A cluster of lanes takes a node, a ray each. All of them walk alike: what the node needs is loaded once, by one lane
 // or another, and passed round; boxes of a frontier and triangles of a leaf are tested side by side. In the
 // "-no-shuffle" build a cluster is one lane, which takes the rays in turn: the same hits, after tests in another order.
 //
-// Nodes that need very many tests are left: their rays then go one by one (single.comp).
+// A node that needs very many tests is given up: its rays are listed, and then go one by one (single.comp).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -71,17 +72,19 @@ uint box_tests, node_tests, node_hits, ray_tests;  // of this lane, and its rays
 #include "intersection/node_rays.glsl"
 #include "intersection/node_bound.glsl"
 
-/// Turns of loops of a node's walk, and of all nodes of a cluster, about. While one of four clusters of a subgroup
-/// takes a turn, five other loops may run for no lane: lavapipe 22.3 ends loops silently after 65,535.
+/// About how many turns of loops a node's walk may take, and those of all nodes of a cluster. lavapipe 22.3 ends loops
+/// silently after 65,535 turns, and while one of four clusters of a subgroup takes a turn, five other loops may take
+/// one for no lane.
 const uint max_turns = 640u, max_turns_in_all = 2560u;
-/// No ray that is inside a box from `enter` on hits anything in it before that, but for rounding.
+/// A factor for `enter`: but for rounding, no ray hits anything in a box before the distance at which it enters the
+/// box.
 const float reach_slack = 1.0 + 8.0 * bound_pad;
 
-/// What is to be visited: `next`; then what lies on the stack; then the hits among the entries of the frontier that
-/// were tested together, a lane each; then the frontier's other entries.
+/// What is still to be visited, in this order: `next`; the stack; those of the frontier's entries that the lanes have
+/// tested, one each, and found hit; the frontier's other entries.
 struct NodeWalk {
-  uint next;    // `none`: nothing in hand
-  float enter;  // no ray is inside before
+  uint next;    // `none`: nothing yet
+  float enter;  // no ray is in its box before this distance
   uint depth;   // of the stack
   uint visit;   // this lane's entry
   float visit_enter;
@@ -103,12 +106,12 @@ bool within(float enter, float reach) { return enter <= reach * reach_slack; }
 /// What to visit for a child slot, `none` where no ray of the node may hit its box.
 uint test_slot(PREPARED node, float reach, uint slot, bool wanted, out float enter) {
   vec4 low = vec4(0.0), high = vec4(0.0);
-  if (wanted) low = box_low[slot], high = box_high[slot];  // software pays by the lane
+  if (wanted) low = box_low[slot], high = box_high[slot];  // on a CPU each lane's load takes time
   bool hit = prepared_may_hit_box(node, reach, low.xyz, high.xyz, enter);
   return wanted && hit && within(enter, reach) ? visit_of(low.w, high.w) : none;
 }
 
-/// Takes what is next in hand, if there is any and it is within reach.
+/// Chooses what is visited next, if there is anything within reach.
 void take(inout NodeWalk walk) {
   bool stacked = walk.depth > 0u;
   walk.depth -= stacked ? 1u : 0u;
@@ -138,7 +141,7 @@ void test_entries(inout NodeWalk walk, PREPARED node) {
   spend(walk, 1u);
 }
 
-/// From an inner node to its nearer child that the rays may hit; the other one is left for later.
+/// Goes from an inner node to the nearer child that the rays may hit; the other one is put on the stack.
 void descend(inout NodeWalk walk, PREPARED node) {
   float enter0, enter1;
 #ifdef CRSH_NO_SHUFFLE
@@ -162,8 +165,8 @@ void descend(inout NodeWalk walk, PREPARED node) {
   if (walk.next == none) take(walk);
 }
 
-/// The triangles of the lanes' leaves (`none`: no leaf) against the node, one a lane, and those that it may hit against
-/// its rays.
+/// Tests the triangles of the lanes' leaves (`none`: no leaf) against the node, one in each lane, and then those that
+/// the node may hit against its rays.
 void meet_leaves(inout NodeWalk walk, PREPARED node, uint leaf, float enter) {
   uint own = leaf_triangles(leaf), end = sum_of_lanes(own), count = FROM_LANE(end, first_of_cluster() + cluster - 1u);
   uint begin = leaf_first(leaf) + own - end;  // of triangle 0 of all, if they were this leaf's
@@ -177,7 +180,7 @@ void meet_leaves(inout NodeWalk walk, PREPARED node, uint leaf, float enter) {
     bool present = mine < count && within(from, walk.reach);
     Loaded loaded = Loaded(none, vec4(0.0), vec4(0.0), vec4(0.0));
     if (present) loaded = load_leaf_triangle(place);
-    float met;  // no ray meets the triangle before
+    float met;  // no ray can hit the triangle before this distance
     bool may = present && prepared_may_hit_corners(node, walk.reach, loaded.a.xyz, loaded.b.xyz, loaded.c.xyz, met);
     node_tests += present ? 1u : 0u;
     node_hits += may ? 1u : 0u;
@@ -203,7 +206,7 @@ void meet_leaves(inout NodeWalk walk, PREPARED node, uint leaf, float enter) {
   }
 }
 
-/// Walks one node, and takes as many turns at most; whether that is finished.
+/// Walks one node, with at most so many turns. Returns whether it was finished.
 bool walk_node(uint node, inout uint turns) {
   take_rays(node);
   PREPARED bound = prepare(load_bound(node), use_interval == 1u);

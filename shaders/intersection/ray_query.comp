@@ -1,6 +1,6 @@
 #version 460
-// Rays by the device's own ray queries (VK_KHR_ray_query): the rival where there is one. What a hit is, is the device's
-// word here, so that pictures agree with the others' within a tolerance only. Lane: a ray.
+// Traces rays with the device's own ray queries (VK_KHR_ray_query), to compare with. Here the device decides what a hit
+// is, so that pictures are equal to the others' only within a tolerance. Lane: a ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_ray_query : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,8 +1,8 @@
-// One ray through the object hierarchy: depth first, the nearer child first, and no box behind the hit so far. Bindings
-// 5 to 8 are taken besides those of meet.glsl, whose corners are those in leaf order here.
+// How one ray walks through the object hierarchy: depth first, the nearer child first, and into no box behind the hit
+// so far. It uses bindings 5 to 8 besides those of meet.glsl, whose corners are in leaf order here.
 //
-// Loops within loops ("while-while", Aila and Laine 2009): lanes go down to their next leaves together, then meet
-// triangles together.
+// Loops within loops ("while-while", Aila and Laine 2009): first all lanes go down to their next leaves, then all meet
+// triangles.
 
 #include "intersection/meet.glsl"
 #include "lib/box.glsl"
@@ -13,8 +13,9 @@ layout(binding = 6, scalar) buffer Counters { uvec2 counters[]; };
 layout(binding = 7, scalar) readonly buffer BoxLow { vec4 box_low[]; };
 layout(binding = 8, scalar) readonly buffer BoxHigh { vec4 box_high[]; };
 
-/// Tests of a walk in one dispatch, about. A test is a turn of 3 loops at most; 16 lanes, each of them alone, come to
-/// less than the 65,535 turns after which lavapipe 22.3 ends loops silently.
+/// About how many tests a walk takes in one dispatch. A test is a turn of at most 3 loops. So 16 lanes of a subgroup,
+/// even if each takes its turns while the others wait, stay below the 65,535 turns after which lavapipe 22.3 ends loops
+/// silently.
 const uint max_tests = 1280u;
 
 struct Walk {
@@ -25,15 +26,15 @@ struct Walk {
   uint triangle_tests;
 };
 
-/// What is to be visited later, and from which t on.
+/// What is to be visited later, and the t from which on that is of use.
 uvec2 stack[max_object_depth];
 
-/// Beyond this t nothing counts.
+/// What lies beyond this t cannot change the hit.
 float limit_of(Ray ray, uvec4 hit, bool any_hit) {
   return any_hit ? ray.origin.w : min(ray.origin.w, uintBitsToFloat(hit.x));
 }
 
-/// Goes on with what was left for later, unless a hit is nearer by now.
+/// Takes the next visit from the stack, and leaves out those that lie behind the hit by now.
 void pop(inout Walk walk, float limit) {
   while (walk.next == none && walk.depth > 0u) {
     uvec2 top = stack[--walk.depth];
@@ -41,7 +42,7 @@ void pop(inout Walk walk, float limit) {
   }
 }
 
-/// From a node to its nearer child that the ray may hit; the other one is left for later.
+/// Goes from a node to the nearer child that the ray may hit; the other one is put on the stack.
 void descend(inout Walk walk, BoxRay ray, float limit) {
   uint slot = 2u * walk.next;
   vec4 low0 = box_low[slot], low1 = box_low[slot + 1u], high0 = box_high[slot], high1 = box_high[slot + 1u];

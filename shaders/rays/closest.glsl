@@ -8,7 +8,8 @@ layout(binding = 10, scalar) writeonly buffer Weights { vec4 weights[]; };
 /// Cosine between the shading normal and the way back along the ray that came.
 float cosine_of(vec3 normal, vec3 incoming) { return clamp(-exact_dot(normal, incoming), 0.0, 1.0); }
 
-/// Writes the surface's weight, and its ray to the side that `side` points to where that is worth casting.
+/// Writes the surface's weight and, where that is large enough, its ray, which leaves to the side that `side` points
+/// to.
 void store(uint i, vec3 weight, vec3 side, vec3 direction) {
   uint surface = first_surface + i;
   bool starts = worth_casting(weight) && !met_nothing(surface);

@@ -46,8 +46,8 @@ struct Texels {
   vec4 transmission;
 };
 
-/// One loop over the textures that are there: the sampler is long, and lavapipe 22.3 runs through every branch. (Nested
-/// loops that test at their ends give wrong sums there.)
+/// One loop over the textures that the material has: the sampler is long, and lavapipe 22.3 runs through every branch,
+/// taken or not. (Nested loops that test at their ends give wrong sums there.)
 Texels texels_at(Material material, Attributes at) {
   uvec4 words = material.textures;
   Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));

@@ -31,7 +31,7 @@ Material emissive_only(Material material) {
   return material;
 }
 
-/// What the attachments leave out, from the triangle.
+/// Fills in, from the triangle, what the attachments do not have.
 void complete(inout Surface found, uint triangle, Material material, vec3 incoming) {
   Corners corners = corners_at(triangle);
   vec3 front = front_normal(corners.a, corners.b, corners.c);

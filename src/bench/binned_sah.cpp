@@ -12,7 +12,7 @@
 namespace crsh::bench {
 namespace {
 
-/// A top-down build that keeps nothing but its cost.
+/// A top-down build of which only the cost is kept.
 class BinnedBuild {
  public:
   explicit BinnedBuild(std::vector<SahBox> boxes) : boxes_(std::move(boxes)) {}

@@ -20,7 +20,8 @@
 namespace crsh::bench {
 namespace {
 
-/// Devices without memory of their own may have little: variants whose lists sum up to more are not kept at once.
+/// Without a budget, variants are kept at the same time where their lists take no more bytes than this: devices without
+/// memory of their own may have little.
 constexpr uint64_t max_resident_bytes = uint64_t(1) << 30;
 
 using Clock = std::chrono::steady_clock;
@@ -54,7 +55,7 @@ Picture frame_at(Renderer& renderer, double seconds, Work& work) {
   return picture;
 }
 
-/// Renders a pass and returns what it alone counted, and its last picture.
+/// Renders a pass. Returns what that counted, and its last picture.
 Statistics pass_of(Renderer& renderer, const Variant& variant, Work& work, Picture& picture) {
   const Statistics before = renderer.statistics();
   for (const double seconds : variant.seconds) picture = frame_at(renderer, seconds, work);
@@ -80,7 +81,7 @@ double pass_ms(const Statistics& statistics) {
   return sum;
 }
 
-/// The first pass, alone on the device: its counters and its memory, and what was effective.
+/// Renders the first pass, with nothing else on the device, for its counters, its memory and its effective options.
 void look(gpu::Device& device, const scene::Scene& scene, Result& result, Work& work) {
   RenderOptions options = result.variant.options;
   options.layers = {};
@@ -215,7 +216,7 @@ class Measurement {
                               rounds_.repeat, rounds_.repeat == 1 ? "pass" : "passes", asked.repeat, rounds_.warmup));
   }
 
-  /// A, B, C, A, B, C, ...: a round is a pass of each.
+  /// Renders in rounds, A, B, C, A, B, C, ...: a round is one pass of each variant.
   void repeat() {
     const auto rounds = static_cast<uint32_t>(rounds_.sum());
     const bool resident = rounds && fit_together();
@@ -233,7 +234,7 @@ class Measurement {
   /// It is traced, and not only for its counters.
   static bool is_repeated(const Result& result) { return result.counted_from.empty() && result.variant.timed; }
 
-  /// Whether the device holds the lists of all variants at once, by what each took alone.
+  /// Whether the lists of all variants fit on the device at the same time, judged by what each took in its first pass.
   [[nodiscard]] bool fit_together() const {
     const uint64_t budget = device_.request().memory_budget;
     uint64_t sum = 0;
@@ -247,7 +248,7 @@ class Measurement {
     return std::make_unique<Renderer>(borrowed(device_), borrowed(scene_), options);
   }
 
-  /// Lists grow and hierarchies are built in a first frame, which is left out.
+  /// Renders a first frame, in which lists grow and hierarchies are built, and which is not timed.
   void begin(Renderer& renderer, const Result& result) {
     (void)renderer.render(result.variant.seconds.front(), [&](double) { work_.show(0); });
   }
@@ -258,7 +259,8 @@ class Measurement {
     time(*renderer, result, counted, place);
   }
 
-  /// Where objects move, their hierarchy depends on the frames before: each pass begins with one that is new.
+  /// Times a pass of a renderer that is kept. Where objects move, their hierarchy depends on the frames before; so each
+  /// pass begins with a new one.
   void time_again(Renderer& renderer, Result& result, bool counted, uint32_t& place) {
     if (result.variant.seconds.size() > 1) {
       renderer.forget_objects();

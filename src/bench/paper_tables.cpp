@@ -53,7 +53,7 @@ std::string abbreviation(std::string_view kind) {
   return found == known.end() ? upper(kind) : found->second;
 }
 
-/// Of one kind, over all bounces that are counted: each level's sums, by its number; level 0 has the rays themselves.
+/// Sums for one kind of rays over all counted bounces, by level; level 0 has the rays themselves.
 struct KindLevels {
   struct Level {
     uint64_t tests = 0, hits = 0;

@@ -27,7 +27,7 @@ std::vector<Size> triangle_sizes(const scene::Scene& scene) {
   const auto last = static_cast<uint32_t>(std::max(1.0, std::round(std::sqrt(max_triangles / triangles))));
   std::vector<Size> sizes;
   for (uint32_t n = 1; n < last; n *= 2) sizes.push_back({triangles * n * n, n});
-  // Not twice nearly the same.
+  // Leaves out the size before the last where it is nearly the same.
   if (sizes.size() > 1 && sizes.back().cuts * 3 > last * 2) sizes.pop_back();
   sizes.push_back({triangles * last * last, last});
   return sizes;

@@ -58,7 +58,7 @@ bool allows_outside(const BenchCommand& command, const BenchScene& scene) {
   return command.common.allow_outside || std::ranges::any_of(scene.given, says_so);
 }
 
-/// All of them, before anything is measured: a wrong path is known at once.
+/// Loads all scenes before anything is measured, so that a wrong path is reported at once.
 std::vector<scene::Scene> load_scenes(const BenchCommand& command) {
   std::vector<scene::Scene> scenes;
   for (const BenchScene& asked : command.scenes) {
@@ -71,7 +71,7 @@ std::vector<scene::Scene> load_scenes(const BenchCommand& command) {
   return scenes;
 }
 
-/// What measuring happens on and with.
+/// What all measurements share: the device, the scenes, the progress.
 struct Stage {
   gpu::Device& device;
   const std::vector<scene::Scene>& scenes;
@@ -122,7 +122,8 @@ void write_to(const std::string& path, const std::string& bytes, output::Progres
   progress.written(path);
 }
 
-/// Counters alone, of one pass each. What a preset does not allow is left out, and said.
+/// Counts one pass of each variant; nothing is timed. Variants that a preset does not allow are left out, with a line
+/// that says so.
 bench::Table ablate(const BenchCommand& command, const std::string& algorithm, Stage& stage) {
   std::vector<bench::SceneResults> results;
   for (size_t i = 0; i < command.scenes.size(); ++i) {
@@ -144,7 +145,7 @@ bench::Table ablate(const BenchCommand& command, const std::string& algorithm, S
   return bench::ablation_table(results, command.count);
 }
 
-/// Of each scene in turn, with a tenth of the frames.
+/// Measures the sweep of each scene, with a tenth of the frames.
 std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::SweepAxis axis, Stage& stage) {
   bench::Schedule schedule = command.schedule;
   schedule.repeat = std::max(1u, schedule.repeat / 10);
@@ -159,7 +160,7 @@ std::vector<bench::ChartSection> sweep(const BenchCommand& command, bench::Sweep
   return sections;
 }
 
-/// Where there is an object hierarchy, how good it is.
+/// Measures how good the object hierarchies are, where there are any.
 void judge_hierarchies(const Stage& stage, Found& found) {
   const auto has_one = [](const bench::Result& result) { return bench::has_object_hierarchy(result.variant); };
   if (std::ranges::none_of(found.scenes.front().results, has_one)) return;
@@ -170,7 +171,7 @@ void judge_hierarchies(const Stage& stage, Found& found) {
   found.others.push_back(bench::sah_table(found.scenes, binned));
 }
 
-/// Those that are asked for, or for a report all of ours that go beyond the paper.
+/// The presets that --ablate names; without it, for a report, all that go beyond the paper.
 std::vector<std::string> presets_to_ablate(const BenchCommand& command) {
   if (command.ablate) return *command.ablate;
   std::vector<std::string> presets;
@@ -191,7 +192,7 @@ std::string tables_text(const BenchCommand& command, const Found& found) {
   return text + "\n";
 }
 
-/// The tables are data, unless other data has standard output.
+/// Prints the tables on standard output, or on standard error where other data goes to standard output.
 void show_tables(const BenchCommand& command, const std::string& text) {
   if (command.json != "-" && command.csv != "-" && command.report != "-") return output::write_stdout(text);
   say(command, text);

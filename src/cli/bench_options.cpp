@@ -20,7 +20,7 @@ bool is_render_only(const Option& option) {
   return std::ranges::find(keys, option.key()) != keys.end();
 }
 
-/// A row that also remembers what it was given, so that it can be given to each variant.
+/// A row that also remembers its values, so that each variant can be given them.
 Option remembered(Option option, std::vector<Given>& given) {
   const auto set = option.set;
   const std::string key = option.key();

@@ -63,10 +63,10 @@ inline constexpr float usual_budget = 120;
 /// where switches are varied or cones are tested as the command says.
 void add_as_printed(const BenchCommand& command, const BenchScene& scene, std::vector<bench::Variant>& variants);
 
-/// To this preset no switch matters: it has no nodes.
+/// Whether switches do not matter to this preset, because it has no nodes.
 [[nodiscard]] bool ignores_switches(const std::string& algorithm);
 
-/// A preset of ours whose nodes are better than the paper's.
+/// Whether it is a preset with better nodes than the paper's.
 [[nodiscard]] bool goes_beyond_paper(const std::string& algorithm);
 
 /// `algorithm` on this scene as it is, then with each of its switches, one at a time, as the paper has it, or off.

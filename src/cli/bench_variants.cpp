@@ -46,7 +46,7 @@ std::vector<Picks> combinations(const std::vector<Vary>& vary) {
   return all;
 }
 
-/// To presets without nodes no switch matters: they run once for all values of one.
+/// Drops switches that do not matter: a preset without nodes runs only once for all values of a switch.
 void drop_idle_switches(const std::string& algorithm, Picks& picks) {
   if (ignores_switches(algorithm)) std::erase_if(picks, [](const Given& pick) { return is_switch(pick.key); });
 }

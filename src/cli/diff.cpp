@@ -80,7 +80,7 @@ void write_to(const std::string& path, const std::string& bytes) {
   path == "-" ? output::write_stdout(bytes) : output::write_whole(path, bytes);
 }
 
-/// The line is data, unless other data has standard output.
+/// Prints the line on standard output, or on standard error where other data goes to standard output.
 void say_verdict(const DiffCommand& command, const std::string& line) {
   if (command.json == "-" || command.picture == "-") fmt::print(stderr, "{}\n", line);
   else output::write_stdout(line + "\n");

@@ -62,7 +62,7 @@ std::string scenes_text(const scene::Scene& scene) {
                                                     fmt::join(scene.scene_names, ", "), scene.name);
 }
 
-/// The last one is not the file's: it stands for "none".
+/// How many materials the file has: the last one of the list is the default, for "none".
 size_t material_count(const scene::Scene& scene) { return scene.materials.empty() ? 0 : scene.materials.size() - 1; }
 
 std::string bounds_text(const scene::Bounds& bounds) {

@@ -18,7 +18,7 @@ std::vector<std::string> names_of(const LayerSet& layers) {
   return names;
 }
 
-/// Adds every layer whose channels are all meant.
+/// Adds every layer of which the name means all channels.
 void add_named(LayerSet& layers, const std::string& name) {
   bool known = name == "all";
   if (known) layers = LayerSet::all();

@@ -40,7 +40,7 @@ const std::string examples =
     "  crsh render scene.glb -o - --quiet > picture.png\n"
     "  crsh render scene.glb -o picture.exr --algorithm crsh-2017 --stats counters.json\n";
 
-/// What one run carries from frame to frame.
+/// What a run keeps from frame to frame.
 struct Run {
   RenderCommand& command;
   Renderer& renderer;
@@ -116,7 +116,7 @@ RayTable read_replay(const RenderCommand& command) {
   return rows_of(all, rows);
 }
 
-/// There are counters for every bounce of the rays.
+/// Raises `bounces` so that there are counters for every bounce of these rays.
 void count_bounces_of(const RayTable& rays, uint32_t& bounces) {
   for (const uint32_t bounce : rays.bounce) bounces = std::max(bounces, bounce);
 }
@@ -181,7 +181,7 @@ void say_what_was_chosen(const RenderCommand& command, const Renderer& renderer)
   for (const std::string& note : renderer.notes()) say(command, note);
 }
 
-/// What no file can hold is not rendered.
+/// Drops layers that no output file holds, so that they are not rendered.
 void drop_unused_layers(RenderCommand& command) {
   const auto is_exr = [](const output::PathPattern& pattern) { return pattern.format() == output::Format::exr; };
   if (std::ranges::none_of(command.outputs, is_exr)) command.options.layers = {LayerId::beauty};

@@ -218,7 +218,7 @@ Option frames_row(std::optional<FrameRange>& frames) {
           .get = [&frames] { return frames ? Json(fmt::format("{}..{}", frames->first, frames->last)) : Json(); }};
 }
 
-/// Its pixels are each frame's own: see frame_tasks.
+/// The time is no attribute by itself, because each frame has its own: see frame_tasks.
 Option time_row(std::optional<float>& seconds) {
   return {
       .names = "--time",

@@ -42,8 +42,8 @@ struct DeviceRequest {
   uint64_t memory_budget = 0;  ///< bytes that all buffers and images together may take; 0: no bound
   bool validation = false;     ///< validation and synchronisation validation layers, any message is counted
   std::function<void(const std::string&)> on_validation;  ///< gets each message; none: standard error
-  bool no_ray_queries = false;  ///< as if the device had none (tests of what other devices do)
-  bool no_shuffles = false;     ///< lanes never read a list together (tests of what other devices run)
+  bool no_ray_queries = false;  ///< makes as if the device had none, to test what other devices do
+  bool no_shuffles = false;     ///< lanes never read lists together by shuffles, to test what other devices do
   /// of the instance, as the window system asks for them; empty: no window
   std::vector<std::string> window_extensions;
   uint64_t max_texels = 0;      ///< as if texel buffers held no more (tests); 0: what the device says

@@ -18,7 +18,7 @@ AlgorithmOptions brute() {
   return options;
 }
 
-/// What anybody would write: rays one by one through the object hierarchy.
+/// Rays one by one through the object hierarchy, as in common ray tracers.
 AlgorithmOptions bvh() {
   AlgorithmOptions options = brute();
   options.tracer = "single-rays";

@@ -39,18 +39,18 @@ enum class ConeTest { with_sign, as_printed };
 
 inline constexpr std::string_view default_preset = "crsh-bvh";
 
-/// Which structure each ray meets: the presets are built from these (DESIGN: presets and switches).
+/// The switches of which presets are made.
 struct AlgorithmOptions {
   bool operator==(const AlgorithmOptions&) const = default;
   std::string preset = std::string(default_preset);
   /// What rays meet, and how: a row of src/trace/tracers.cpp. Switches matter to those that need sorted rays.
   std::string tracer = "mesh-nodes";
-  PerKind<std::string> keys;  ///< a sort key a ray kind; empty: rays are not sorted
+  PerKind<std::string> keys;  ///< a sort key for each kind of rays; empty: they are not sorted
   RayOrder ray_order = RayOrder::scanline;
   bool compression = true;
   NodeCut nodes = NodeCut::fixed;
-  float cut_angle = 0.1f;  ///< radians: cut level-1 nodes end where rays are farther from the first
-  float cut_distance = 4;  ///< of the scene's longest edge: so does the distance of their origins
+  float cut_angle = 0.1f;  ///< radians: a cut node holds no ray farther from its first one's direction
+  float cut_distance = 4;  ///< share of the scene's longest edge: nor one that begins farther from where that begins
   /// Where cut nodes would hold fewer, unsorted and on average, rays go one by one through the object hierarchy, where
   /// the tracer needs one.
   float least_rays = 2;

@@ -63,13 +63,14 @@ class Renderer {
   /// Other options for the same scene, as if it were a new Renderer; statistics begin anew. Throws UserError, and then
   /// the old options stay.
   void change(const RenderOptions& options);
-  /// The next frame builds the object hierarchy, as if it were the first: later boxes depend on the frames before.
+  /// Makes the next frame build the object hierarchy anew, as the first one does. Else its boxes would depend on the
+  /// frames before.
   void forget_objects();
-  /// Called before the device is given work; may throw to cancel render() and refine(), after which render() is right
-  /// again.
+  /// `call` is called before the device is given work. It may throw, which cancels render() or refine(); after that
+  /// render() may be called again, but not refine().
   void on_submit(std::function<void()> call);
 
-  /// Every render() from here on fills `nodes` with those over all its rays; null: none does.
+  /// From here on every render() fills `nodes` with the nodes over all its rays; null: no longer.
   void watch_nodes(std::vector<RayNode>* nodes);
   /// Boxes of the object hierarchy as the last frame left it, down to this depth; none where the algorithm has none.
   [[nodiscard]] std::vector<ObjectBox> object_boxes(uint32_t depth);

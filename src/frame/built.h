@@ -1,5 +1,5 @@
 #pragma once
-// Reads what a frame built off the device.
+// Reads from the device what a frame built: nodes and boxes.
 
 #include <vector>
 

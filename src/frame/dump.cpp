@@ -18,7 +18,8 @@ std::vector<uint32_t> read_w(gpu::Recorder& recorder, const gpu::Buffer& buffer,
   return words;
 }
 
-/// The hash of each ray: its key without the number of its segment. Made again, because the sort has used it up.
+/// The hash of each ray, which is its key without the number of its segment. It is computed again, because sorting
+/// overwrites it.
 std::vector<uint32_t> read_keys(gpu::Recorder& recorder, const trace::Traced& traced) {
   const rays::Batch& batch = traced.in.batch;
   if (!traced.sorted()) return std::vector<uint32_t>(batch.count);

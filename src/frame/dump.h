@@ -1,5 +1,5 @@
 #pragma once
-// Takes the rays of a batch off the device once they are traced.
+// Reads the rays of a batch from the device once they are traced.
 
 #include "crsh/ray_table.h"
 #include "trace/trace.h"

@@ -28,7 +28,7 @@ const rays::Batch& trace_batch(Renderer::State& s, const rays::BatchPlan& plan, 
   return batch;
 }
 
-/// Where the closest-hit rays of a batch become surfaces of the next generation.
+/// Which rays of a batch become surfaces of the next generation, and which surfaces these are.
 surfaces::Children children_of(rays::Batch& batch, const rays::BatchPlan& plan, uint32_t first_child) {
   surfaces::Children children;
   children.first_surface = plan.first_surface;
@@ -48,7 +48,8 @@ bool is_closest(const rays::Wanted& wanted) { return !ray_kinds[wanted.kind].any
 
 bool casts_closest(const rays::BatchPlan& plan) { return std::ranges::any_of(plan.segments, is_closest); }
 
-/// Most surfaces that the plans can add to the next generation; asserted against what a binding holds.
+/// How many surfaces the plans can add to the next generation at most. Throws PortionTooLarge where a binding cannot
+/// hold them.
 uint32_t max_children(Renderer::State& s, const std::vector<rays::BatchPlan>& plans) {
   uint64_t slots = 0;
   for (const rays::BatchPlan& plan : plans)
@@ -57,7 +58,7 @@ uint32_t max_children(Renderer::State& s, const std::vector<rays::BatchPlan>& pl
   return static_cast<uint32_t>(slots);
 }
 
-/// Their buffers go: what is recorded may still use them.
+/// Frees the children's buffers; submits first, because recorded commands may still read them.
 void drop_children(Renderer::State& s, surfaces::Generation& generation) {
   if (generation.children.empty()) return;
   s.recorder.submit();
@@ -104,7 +105,7 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
 /// Whether the layer shows what rays of one kind brought.
 bool shows_one_kind(LayerId layer) { return row_of(layer).source.value == SurfaceValue::brought; }
 
-/// Step 7: radiance back along the paths, last generation first.
+/// Step 7: carries radiance back along the paths, from the last generation to the first.
 void gather_generations(Renderer::State& s, uint32_t generations) {
   s.recorder.stage(Stage::shading);
   for (uint32_t k = generations; k-- > 0;) {
@@ -129,7 +130,7 @@ void trace_paths(Renderer::State& s, const Renderer::Progress& progress, double 
   gather_generations(s, generations);
 }
 
-/// Steps 2 to 7 of the film's next sample. `begun` samples of this call are done.
+/// Steps 2 to 7 for the film's next sample; `begun` samples of this call are done already.
 void render_sample(Renderer::State& s, const raster::CameraView& view, const Renderer::Progress& progress,
                    uint32_t begun) {
   const uint32_t pixels = s.size.width * s.size.height;

@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 /// Pairs of a candidate list where memory is short: two batches of triangles.
 constexpr uint64_t frugal_pairs = 65536;
 
-/// What a frame counted joins the run's sums.
+/// Adds what a frame counted to the run's sums.
 void add(Statistics& sum, const Statistics& frame) {
   for (size_t r = 0; r < frame.rays.size(); ++r) {
     RayStatistics& to = sum.rays[r];
@@ -44,14 +44,14 @@ void add(Statistics& sum, const Statistics& frame) {
   }
 }
 
-/// Every triangle blocks shadow rays, and shows its back.
+/// Whether every triangle blocks shadow rays, and is seen from its back, too.
 bool all_plain(const scene::Scene& scene) {
   for (uint32_t i = 0; i < scene.materials.size(); ++i)
     if (scene::flagged_material(scene, i) != i) return false;
   return true;
 }
 
-/// Everything that hangs on the options and not only on the scene. Throws before anything is changed.
+/// Applies options: sets all state that depends on them. Throws before it changes anything.
 void apply(Renderer::State& s, RenderOptions options) {
   trace::require_sound(options.algorithm);
   trace::require_device(s.device, options.algorithm);
@@ -83,7 +83,7 @@ void load(Renderer::State& s) {
   apply(s, s.options);
 }
 
-/// Everything that grew while frames were rendered is given back.
+/// Frees all lists that grew while frames were rendered.
 void drop_lists(Renderer::State& s) {
   s.recorder.submit();
   s.paths = {};
@@ -93,7 +93,7 @@ void drop_lists(Renderer::State& s) {
 /// Fills what state.dump asks for, and counts to state.frame_statistics.
 using Frame = std::function<void()>;
 
-/// One try at a frame: counters, times and rays start from nothing, so that a second try counts nothing twice.
+/// Tries to render a frame. Counters, times and rays start from nothing, so that a second try counts nothing twice.
 void attempt(Renderer::State& s, const Frame& frame) {
   s.placing = false;
   s.frame_statistics = {};
@@ -135,7 +135,8 @@ uint64_t least_memory(Renderer::State& s, const Frame& frame) {
   return (s.device.peak_bytes() >> 20) + 1;
 }
 
-/// Ends a run under `budget`; `s` is loaded, if need be without it.
+/// Ends a run that does not fit `budget`, with a line that says how much it needs. `s` must be loaded, under another
+/// budget if need be.
 [[noreturn]] void refuse_budget(Renderer::State& s, const Frame& frame, uint64_t budget) {
   s.device.set_memory_budget(0);
   const uint64_t least = least_memory(s, frame);
@@ -154,7 +155,7 @@ uint64_t least_memory(Renderer::State& s, const Frame& frame) {
                   mend);
 }
 
-/// A frame that has succeeded joins the run's statistics.
+/// Adds a frame that was rendered to the run's statistics.
 void finish(Renderer::State& s) {
   s.statistics.lights = s.gpu_scene.light_count;
   add(s.statistics, s.frame_statistics);
@@ -164,7 +165,7 @@ void finish(Renderer::State& s) {
   s.statistics.device_peak_bytes = std::max(s.statistics.device_peak_bytes, s.device.peak_bytes());
 }
 
-/// A frame as well as memory allows: where it is short, once more with short lists.
+/// Renders a frame. Where memory is short, tries once more with short lists.
 void run(Renderer::State& s, const Frame& frame) {
   try {
     attempt_in_portions(s, frame);

@@ -1,4 +1,4 @@
-// Rays of a table in place of a frame's: each batch is uploaded and taken through the steps that frames take.
+// Traces rays of a table in place of a frame's: uploads each batch, and takes it through the same steps.
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +13,7 @@
 namespace crsh {
 namespace {
 
-/// A batch's rays as the shaders see them; a slot and a surface for each.
+/// A batch's rays as shaders read them, each with a slot and a surface of its own.
 struct Uploaded {
   std::vector<shared::Ray> rays;
   std::vector<uint32_t> slots;
@@ -33,7 +33,8 @@ Uploaded uploaded(const RayTable& table, const ReplayBatch& batch) {
   return data;
 }
 
-/// Keys of any width as their ranks in the batch, which sort and tie alike.
+/// The keys' ranks in the batch in place of the keys, which may be wider than 32 bits: sorting by ranks gives the same
+/// order.
 std::vector<uint32_t> ranks_of_keys(const RayTable& table, const ReplayBatch& batch, uint32_t& bits) {
   std::vector<uint64_t> values;
   for (const uint32_t row : batch.rows) values.push_back(table.key[row]);
@@ -52,7 +53,8 @@ void put(gpu::Recorder& recorder, gpu::Buffer& buffer, const std::vector<T>& val
   gpu::upload_bytes(recorder.device(), buffer, 0, values.data(), values.size() * sizeof(T));
 }
 
-/// What of the hits came in another order goes back to the rows it belongs to. Keys of one's own stay.
+/// Puts what was traced in the order of batches back into the rows that it belongs to. Keys from a file stay as they
+/// are.
 void restore_rows(const RayTable& given, const std::vector<uint32_t>& rows, const rays::Keys& keys, RayTable& table) {
   std::vector<uint32_t> places(rows.size());
   for (uint32_t place = 0; place < rows.size(); ++place) places[rows[place]] = place;

@@ -17,7 +17,8 @@ uint32_t tiled_place(uint32_t pixel, uint32_t width, uint32_t height) {
   return top * width + left * tile_height + (y - top) * tile_width + (x - left);
 }
 
-/// Surfaces of a bounce come by the last turn of their path, then by the one before, and at last by pixel.
+/// The bits of a path in reversed order. Surfaces of a bounce are ordered by the last turn of their path, then by the
+/// one before, and so on, and last by pixel.
 uint64_t reversed(uint64_t path) {
   constexpr uint64_t turn = (1u << shared::path_bits) - 1;
   uint64_t result = 0;
@@ -26,7 +27,7 @@ uint64_t reversed(uint64_t path) {
   return result;
 }
 
-/// What rays are ordered by.
+/// What the rays of a segment are ordered by.
 struct Place {
   uint32_t batch = 0, bounce = 0, kind = 0, light = 0, pixel = 0, row = 0;
   uint64_t turns = 0;

@@ -27,7 +27,8 @@ struct BatchBuffers {
   trace::Workspace tracing;
 };
 
-/// The surfaces of generation 0, of two later ones in turn, and what is kept of each until the gathering.
+/// The surfaces of generation 0 and, in turn, of two later generations; and what is kept of every generation until it
+/// is gathered.
 struct PathBuffers {
   surfaces::Surfaces first, later[2];
   std::vector<surfaces::Generation> generations;
@@ -66,7 +67,7 @@ struct Renderer::State {
   scene::LightRig lights;
   scene::GpuScene gpu_scene;
   trace::Structures structures;
-  bool placing = false;  ///< objects are being placed: not to be left half-way
+  bool placing = false;  ///< objects are being moved, which must not be interrupted
   std::optional<trace::Counters> counters;
   raster::GBuffer gbuffer;
   PathBuffers paths;
@@ -75,12 +76,13 @@ struct Renderer::State {
   uint32_t portion = 1u << 20;  ///< pixels that are traced together
   uint64_t max_pairs = 0;       ///< of a candidate list; 0: as memory allows
   Statistics statistics;        ///< of all finished frames
-  Statistics frame_statistics;  ///< of the frame under way
+  Statistics frame_statistics;  ///< of the current frame
   Dump dump;
   std::vector<std::string> notes;
 };
 
-/// Thrown where a generation outgrows what the device can bind: the frame begins again with smaller portions.
+/// Thrown where a generation has more surfaces than the device can bind. The frame then begins again with smaller
+/// portions.
 struct PortionTooLarge : std::runtime_error {
   PortionTooLarge() : std::runtime_error("a portion of the image outgrew what the device can bind") {}
 };

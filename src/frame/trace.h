@@ -5,7 +5,7 @@
 
 namespace crsh {
 
-/// Step 1 (section 3.2.1): objects, their bounds and the hierarchy over them as they stand in this pose.
+/// Step 1 (section 3.2.1): moves objects, their bounds and the hierarchy over them to this pose.
 void place_objects(Renderer::State& state, const scene::Pose& pose);
 
 /// Steps 4 to 6: sorts, bundles and traces the rays of state.batch.rays, of generation `bounce`. Their hits are then in

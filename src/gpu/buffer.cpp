@@ -25,8 +25,8 @@ void require_part(const Buffer& buffer, uint64_t offset, uint64_t bytes) {
   CRSH_ASSERT(offset <= buffer.bytes() && bytes <= buffer.bytes() - offset, "a copy past the end of " + buffer.name());
 }
 
-/// What a buffer of `now` bytes that must hold `wanted` grows to: half again, but never for its own sake past what a
-/// shader can bind, one allocation can hold or the budget allows.
+/// The size to which a buffer of `now` bytes grows that must hold `wanted`: half as much again, unless that is more
+/// than a shader can bind, one allocation can hold or the budget allows; then `wanted`.
 uint64_t grown(const Device& device, uint64_t now, uint64_t wanted) {
   uint64_t capacity = now;
   if (capacity == 0) capacity = device.request().first_capacity ? device.request().first_capacity : wanted;
@@ -39,7 +39,7 @@ uint64_t grown(const Device& device, uint64_t now, uint64_t wanted) {
 
 }  // namespace
 
-// By way of the default constructor, so that the destructor runs when a later step throws.
+// Calls the default constructor first, so that the destructor runs where a later step throws.
 Buffer::Buffer(Device& device, uint64_t bytes, std::string_view name, bool host_visible) : Buffer() {
   device_ = &device;
   name_ = name;
@@ -75,7 +75,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 void Buffer::reserve(Device& device, uint64_t bytes, std::string_view name) {
   if (buffer_ && bytes <= bytes_) return;
   const uint64_t before = bytes_;
-  *this = Buffer();  // frees the old one first: both together might not fit
+  *this = Buffer();  // frees the old one first, because both together might not fit
   *this = Buffer(device, grown(device, before, bytes), name);
 }
 

@@ -41,7 +41,7 @@ VkDescriptorSetLayout make_set_layout(Device& device, std::span<const Declared> 
   return layout;
 }
 
-// By way of the default constructor, so that the destructor runs when a later step throws.
+// Calls the default constructor first, so that the destructor runs where a later step throws.
 BufferSet::BufferSet(Device& device, std::span<const Member> members) : BufferSet() {
   device_ = &device;
   members_ = declared(members);

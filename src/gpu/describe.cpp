@@ -11,7 +11,7 @@
 namespace crsh::gpu {
 namespace {
 
-/// Everything that is asked of a physical device, in one chain.
+/// All that is queried of a physical device, in one chain of structs.
 struct Properties {
   VkPhysicalDeviceProperties2 core{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
   VkPhysicalDeviceVulkan11Properties v11{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES};

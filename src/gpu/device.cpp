@@ -29,7 +29,7 @@ std::vector<DeviceInfo> list_devices() { return describe_all(Instance(false).dev
 
 Device::Device() = default;
 
-// By way of the private constructor, so that the destructor runs when a later step throws.
+// Calls the private constructor first, so that the destructor runs where a later step throws.
 Device::Device(const DeviceRequest& request) : Device() {
   request_ = request;
   instance_ = std::make_unique<Instance>(request.validation, request.window_extensions, request.on_validation);

@@ -110,9 +110,10 @@ class Device {
   [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
   [[nodiscard]] VkInstance instance() const;
   [[nodiscard]] VkQueue queue() const { return queue_; }
-  /// Held while anything is given to the queue: a window presents from another thread than the one that renders.
+  /// To be locked while anything is given to the queue: a window presents from another thread than the one that
+  /// renders.
   [[nodiscard]] std::mutex& queue_mutex() { return queue_mutex_; }
-  /// Until everything given to the queue is done.
+  /// Waits until everything given to the queue is done.
   void wait_idle();
   [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
   /// The one-off copies of upload_bytes and download_bytes.

@@ -1,4 +1,4 @@
-// The one kind of graphics pipeline there is.
+// The only kind of graphics pipeline.
 
 #include <array>
 

@@ -38,7 +38,7 @@ class Instance {
   std::atomic<uint64_t> messages_ = 0;
 };
 
-/// What ray queries take.
+/// The extensions that ray queries need.
 inline constexpr std::array<const char*, 3> ray_query_extensions = {VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
                                                                     VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
                                                                     VK_KHR_RAY_QUERY_EXTENSION_NAME};

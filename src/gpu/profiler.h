@@ -12,8 +12,8 @@
 
 namespace crsh::gpu {
 
-/// Writes a timestamp at every change of stage and at the end of a submit; sums up the spans a stage. First runs of
-/// pipelines, in which some drivers compile, have spans of their own that are no stage's.
+/// Writes a timestamp at every change of stage and at the end of a submit, and sums up the time of each stage. First
+/// runs of pipelines, in which some drivers compile, have spans of their own that are no stage's.
 class Profiler {
  public:
   explicit Profiler(Device& device);

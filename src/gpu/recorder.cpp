@@ -8,12 +8,13 @@
 namespace crsh::gpu {
 namespace {
 
-/// Reads up to this size ride in the submit that they wait for; larger ones are downloads of their own.
+/// Reads of up to so many bytes are copied within the submit that they wait for; larger ones are downloads of their
+/// own.
 constexpr uint64_t staging_bytes = 64 << 10;
 
 uint64_t divide_up(uint64_t value, uint64_t by) { return (value + by - 1) / by; }
 
-/// Rows of workgroups, equally long, where one axis does not hold `groups`.
+/// The grid of workgroups: several rows of equal length where one axis cannot hold `groups`.
 VkExtent2D dispatch_grid(uint64_t groups, uint32_t max_groups) {
   const uint64_t rows = divide_up(groups, max_groups);
   CRSH_ASSERT(rows <= max_groups, "a dispatch of more workgroups than two axes hold");

@@ -31,8 +31,9 @@ struct Attachments {
   bool clear = true;
 };
 
-/// One command buffer at a time. After every command stands a full memory barrier, so that commands see each other's
-/// results in the order of recording (0.15 µs on lavapipe; the pipelines of this project depend on one another anyway).
+/// Records one command buffer at a time. A full memory barrier follows every command, so that each sees the results of
+/// those before it (0.15 µs on lavapipe; in this project nearly every command needs the results of the one before
+/// anyway).
 class Recorder {
  public:
   explicit Recorder(Device& device);

@@ -17,7 +17,7 @@
 namespace crsh::gpu {
 namespace {
 
-/// Of a shader that this reflection cannot read: the programmer's error in an embedded one.
+/// Thrown for a shader that this reflection cannot read; for an embedded one that is an error of the programmer.
 struct Unreadable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -10,12 +10,12 @@ namespace {
 
 using hierarchy::Range;
 
-/// Tests of a node and its rays, for a submit's account.
+/// An estimate of the tests of a node and its rays, from which submits are sized.
 constexpr uint64_t usual_tests = 256;
-/// Groups whose frontiers are held together: 16 MiB.
+/// Groups whose frontiers are in memory at the same time: 16 MiB.
 constexpr uint32_t max_groups = 16384;
-/// Lanes of a cluster: more had less to do each, measured on Mesa 22.3 and 25; and most rays a lane
-/// (shaders/intersection/node_rays.glsl).
+/// Lanes of a cluster: with more of them each has too little to do (measured on Mesa 22.3 and 25). Then the most rays a
+/// lane may have (shaders/intersection/node_rays.glsl).
 constexpr uint32_t usual_cluster = 4, max_rows = 8;
 
 class Nodes {
@@ -86,12 +86,14 @@ class Nodes {
     recorder_.submit_past(t.submit_work);
   }
 
-  /// Each cluster takes some nodes in turn on a CPU, where adding to the counters takes as long as some tests.
+  /// How many nodes each cluster takes, one after the other. On a CPU several, because adding to the counters takes as
+  /// long as some tests.
   [[nodiscard]] uint32_t nodes_a_cluster() const {
     return recorder_.device().info().software && cluster() > 1 ? 16 : 1;
   }
 
-  /// Lanes a node; 1 where a subgroup cannot pass values between lanes, or has too few for a node's rays.
+  /// How many lanes take a node; 1 where lanes cannot pass values to each other, or a subgroup has too few for a node's
+  /// rays.
   [[nodiscard]] uint32_t cluster() const {
     const uint32_t rays = std::bit_ceil(in_.traversal.options.arity);
     const uint32_t lanes = std::min(rays, std::max(usual_cluster, rays / max_rows));

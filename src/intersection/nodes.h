@@ -1,7 +1,7 @@
 #pragma once
-// Ray nodes through the object hierarchy: level-1 nodes from the frontiers of their groups down to its leaves, and
-// their rays against triangles; rays that are better off by themselves go one by one. (Sections 3.2.5 and 3.2.6, and
-// the paper's future work.)
+// Ray nodes walk through the object hierarchy: level-1 nodes from their groups' frontiers down to the leaves, where
+// their rays are tested against triangles. The rays of nodes that need too many tests go one by one. (Sections 3.2.5
+// and 3.2.6, and the paper's future work.)
 
 #include "intersection/single.h"
 #include "traversal/groups.h"

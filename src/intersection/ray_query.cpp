@@ -6,7 +6,7 @@ namespace crsh::intersection {
 
 void query(gpu::Recorder& recorder, const In& in, const objects::DeviceHierarchy& objects, bool plain,
            const rays::Segment& segment) {
-  constexpr uint64_t usual_tests = 256;  // of a ray, for the account of a submit
+  constexpr uint64_t usual_tests = 256;  // an estimate for a ray, from which submits are sized
   if (segment.count == 0 || !objects.structure) return;
   recorder.stage(Stage::final_intersection);
   const uint32_t piece = uint32_t(std::clamp<uint64_t>(in.submit_work / usual_tests, 1, segment.count));

@@ -94,7 +94,7 @@ class SingleRays {
     for (uint32_t first = 0; first < count; first += piece) walk_in_pieces(list, first, std::min(piece, count - first));
   }
 
-  /// From the root again, until all have ended.
+  /// Walks these rays from the root again, dispatch after dispatch, until all have ended.
   void walk_in_pieces(const gpu::Buffer& list, uint32_t first, uint32_t count) {
     recorder_.fill(scratch_.states, 0, 2 * uint64_t(count));
     do {

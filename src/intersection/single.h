@@ -1,5 +1,6 @@
 #pragma once
-// Rays one by one through the object hierarchy: what anybody would write, and the one to beat.
+// Single rays: each walks through the object hierarchy by itself, as in common ray tracers. This is what ray nodes are
+// compared with.
 
 #include "intersection/intersection.h"
 #include "objects/hierarchy.h"
@@ -14,7 +15,7 @@ struct SingleScratch {
   gpu::Buffer states, stacks;
 };
 
-/// The rays of one segment, in creation order, against the scene that `objects` was built over. Submits, and waits.
+/// Traces the rays of one segment, in creation order, through the hierarchy `objects`. Submits, and waits.
 void intersect_single(gpu::Recorder& recorder, const In& in, const objects::Hierarchy& objects,
                       const rays::Segment& segment, SingleScratch& scratch);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The eye: where it is and what it sees.
+// The camera: where it is, and what it sees.
 
 #include <cstdint>
 #include <glm/glm.hpp>

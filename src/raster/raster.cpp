@@ -10,7 +10,7 @@
 namespace crsh::raster {
 namespace {
 
-/// So that no desktop's watchdog takes a draw for a hang.
+/// Triangles a submit: with more a desktop's watchdog might take a long draw for a hang.
 constexpr uint32_t submit_triangles = 1u << 20;
 
 /// As raster/view.glsl declares it.
@@ -27,7 +27,8 @@ struct Push {
   float far_plane;
 };
 
-/// The image moves against the sample: what lies at centre plus jitter is drawn at the centre.
+/// The image is moved against the sample's offset: what lies at a pixel's centre plus the jitter is drawn at the
+/// centre.
 Push push_of(const In& in) {
   const CameraView& view = in.view;
   const glm::vec2 shift = -2.0f * in.jitter / glm::vec2(float(in.size.width), float(in.size.height));

@@ -1,5 +1,5 @@
 #pragma once
-// Rays of one bounce that are sorted and bundled together: any mix of kinds.
+// A batch: rays of one bounce that are sorted and bundled together, of one kind or of several.
 
 #include <cstdint>
 #include <vector>

@@ -23,7 +23,8 @@ std::vector<Wanted> wanted_segments(const PlanIn& in) {
   return all;
 }
 
-/// Segments in their order, at most `most` a group, and where kinds are not mixed, only one kind a group.
+/// Splits segments, in their order, into groups of at most `most`; where kinds are not mixed, a group has only one
+/// kind.
 std::vector<std::vector<Wanted>> grouped(const std::vector<Wanted>& all, uint32_t most, bool mixed) {
   std::vector<std::vector<Wanted>> groups;
   for (const Wanted& segment : all) {

@@ -13,16 +13,16 @@
 
 namespace crsh::rays {
 
-/// Most segments of a batch: shading walks its shadow segments in one loop.
+/// Most segments of a batch, because shading goes through its shadow segments in one loop.
 inline constexpr uint32_t max_segments = 64;
 
-/// Rays that are wanted of every surface.
+/// Rays to be cast from every surface.
 struct Wanted {
   uint32_t kind = 0;   ///< shared::kind_*
   uint32_t light = 0;  ///< where there is one a light
 };
 
-/// Rays that one batch wants: a slot a surface of [first_surface, first_surface + surfaces) for every segment.
+/// The rays of one batch: for every segment a slot for each surface of [first_surface, first_surface + surfaces).
 struct BatchPlan {
   std::vector<Wanted> segments;  ///< by rising kind, then light
   uint32_t first_surface = 0, surfaces = 0;

@@ -42,7 +42,8 @@ uint32_t widest_hash(const Batch& batch, const Keys& keys) {
   return bits;
 }
 
-/// Every pass over the batch relies on this: a segment keeps its place when its rays are sorted.
+/// Asserts that segments come in rising order of kind and light. So a segment keeps its place when its rays are sorted,
+/// on which every pass over the batch relies.
 void require_rising(const std::vector<Segment>& segments) {
   for (size_t i = 1; i < segments.size(); ++i) {
     const Segment &before = segments[i - 1], &after = segments[i];
@@ -51,7 +52,7 @@ void require_rising(const std::vector<Segment>& segments) {
   }
 }
 
-/// Where the scene's bounds begin and one over their extent, for what has one.
+/// The push constants: the low corner of the scene's bounds, and 1 / their extent, 0 along axes without extent.
 Push push_of(const scene::Bounds& bounds) {
   Push push{};
   if (bounds.empty()) return push;

@@ -26,7 +26,7 @@ inline constexpr std::string_view key_of_file = "file";
 /// exist.
 [[nodiscard]] uint32_t hash_bits(std::string_view key, const Segment& segment);
 
-/// Whether any ray of the batch has a key to be sorted by.
+/// Whether any rays of the batch are sorted by a key.
 [[nodiscard]] bool any_sorted(const Batch& batch, const Keys& keys);
 
 /// Writes for every ray of the batch the pair, uvec2 (key, ray), to `pairs`, which grows to hold them, and returns the

@@ -1,5 +1,5 @@
 #pragma once
-// The image that samples add up to.
+// The film: the image to which samples are added.
 
 #include <array>
 #include <cstdint>
@@ -40,7 +40,7 @@ struct Film {
 /// bind.
 void begin_frame(gpu::Recorder& recorder, Film& film, raster::ImageSize size, const LayerSet& layers = default_layers);
 
-/// A sample begins; its surfaces may come in several portions.
+/// Begins a sample, whose surfaces may come in several portions.
 void begin_sample(Film& film);
 
 struct SampleIn {
@@ -50,7 +50,7 @@ struct SampleIn {
   const scene::GpuScene& scene;
   const raster::CameraView& view;
 };
-/// Adds the surfaces and what was gathered at them. Shadow and tests are added by those who trace.
+/// Adds surfaces, and the light gathered at them. Shadow and tests are added where rays are traced.
 void add_sample(gpu::Recorder& recorder, const SampleIn& in, Film& film);
 
 /// The beauty "" and the film's layers by the names of layer_table: light and properties as means over samples, tests

@@ -1,5 +1,5 @@
 #pragma once
-// Radiance back along the paths, from the last generation to the first.
+// Gathering: carries radiance back along the paths, from the last generation to the first.
 
 #include <glm/glm.hpp>
 

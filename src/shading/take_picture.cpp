@@ -1,4 +1,4 @@
-// What a film has become, as a picture on the host.
+// Makes a picture on the host of a film.
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ class Developer {
     for (size_t alpha = 3; alpha < beauty.values.size(); alpha += 4) beauty.values[alpha] = 1;
   }
 
-  /// As often as a sample met nothing.
+  /// Adds the background, weighted by how many samples of a pixel met nothing.
   void add_background(Layer& layer) const {
     const glm::vec3 background = background_.value_or(glm::vec3(0));
     for (const glm::vec4& pixel : read<glm::vec4>(LayerId::beauty))

@@ -1,5 +1,5 @@
 #pragma once
-// The points to shade at one bounce: what the raster pass (k = 0) or the hits of the bounce before yield.
+// Surfaces, the points to shade: generation 0 comes from the raster pass, later ones from the hits of rays.
 
 #include <cstdint>
 #include <vector>
@@ -45,7 +45,7 @@ struct Children {
   const gpu::Buffer* totals = nullptr;  ///< of the next generation, once that is gathered
 };
 
-/// What stays of a generation of surfaces until the gathering comes back to it.
+/// What is kept of a generation of surfaces until its light is gathered.
 struct Generation {
   gpu::Buffer emission;            ///< vec4: cd/m2; w: F0's part that is not base colour; -1 where nothing was met
   gpu::Buffer direct;              ///< vec4: light that shadow rays let through, cd/m2
@@ -54,7 +54,8 @@ struct Generation {
   uint32_t count = 0;
 };
 
-/// Room for `count` surfaces; where it has to grow, what is recorded is submitted and old contents are lost.
+/// Makes room for `count` surfaces. Where a buffer has to grow, its old contents are lost, and what is recorded is
+/// submitted first.
 void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation, uint32_t count);
 
 struct FromRasterIn {
@@ -66,7 +67,7 @@ struct FromRasterIn {
   uint32_t first = 0, count = 0;  ///< pixels of that order: all, or a run of them
 };
 
-/// Generation 0: pixels in the order in which they make rays.
+/// Makes generation 0 of pixels, in the order in which these make rays.
 void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surfaces, Generation& generation);
 
 struct FromHitsIn {

@@ -16,7 +16,7 @@
 
 namespace crsh::trace {
 
-/// Whose rays a batch holds: the pixel and path of each slot's surface, as surfaces::Surfaces have them.
+/// Where a batch's rays come from: the pixel and path of each slot's surface, as in surfaces::Surfaces.
 struct RayNames {
   const gpu::Buffer& pixels;   ///< vec4 a surface, w: bits of the pixel
   const gpu::Buffer& paths;    ///< vec4 a surface, w: bits of the path

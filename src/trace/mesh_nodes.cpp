@@ -3,7 +3,7 @@
 namespace crsh::trace {
 namespace {
 
-/// Nodes of a batch that are traversed together: one kind's, on the top level of that kind.
+/// The nodes of a batch that are traversed together: those of one kind on its top level.
 hierarchy::Range nodes_of(const In& in, const Segments& segments, uint32_t kind, uint32_t depth) {
   const hierarchy::Hierarchy& hierarchy = in.workspace.bundle.hierarchy;
   hierarchy::Range range;

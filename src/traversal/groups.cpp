@@ -8,9 +8,9 @@
 namespace crsh::traversal {
 namespace {
 
-/// Tests of a group, for a submit's account.
+/// An estimate of the tests of a group, from which submits are sized.
 constexpr uint64_t usual_tests = 256;
-/// Groups that go together: lanes of a cluster (shaders/traversal/group_walk.comp).
+/// How many groups walk together: lanes of a cluster (shaders/traversal/group_walk.comp).
 constexpr uint32_t cluster = 4;
 
 void reserve(gpu::Recorder& recorder, gpu::Buffer& frontiers, uint64_t lists) {

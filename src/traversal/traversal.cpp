@@ -56,7 +56,8 @@ class Descent {
   }
 
  private:
-  /// A lane walks one node's list of a batch, so a batch bounds every loop; small submits want small batches.
+  /// How many blocks of triangles are tested at a time. A lane loops over a node's list of them, so this bounds its
+  /// loop; and small submits need few.
   [[nodiscard]] uint32_t blocks_a_batch() const {
     const uint64_t blocks = in_.submit_work / (shared::block_triangles * 64);
     return static_cast<uint32_t>(std::clamp<uint64_t>(blocks, 8, shared::max_loop_triangles / shared::block_triangles));
@@ -158,7 +159,8 @@ class Descent {
         {{"blocks", in_.scene.blocks}, {"masks", lists.masks}, {"scanned", lists.counts}, {"pairs", lists.pairs}});
   }
 
-  /// The pairs of `nodes` (all in levels[index].pairs) against their children, or to the final intersection.
+  /// Tests the pairs of `nodes` (all in levels[index].pairs) against the nodes' children; at level 1 hands them to the
+  /// final intersection.
   void go_on(uint32_t index, Range nodes, uint32_t first_base, const Bases& bases) {
     LevelScratch& lists = scratch_.levels[index];
     const uint32_t pairs = bases.of(nodes.end()) - bases.of(nodes.first);
@@ -245,7 +247,8 @@ class Descent {
     }
   }
 
-  /// Pairs of one list: what a binding holds, and a share of the memory that is left for each level's lists.
+  /// How many pairs a list may have: as many as a binding holds, and as fit into an equal share of the free memory for
+  /// each level.
   [[nodiscard]] uint64_t pair_capacity() const {
     if (in_.max_pairs) return in_.max_pairs;
     constexpr uint64_t bytes_a_pair = sizeof(shared::HitPair) + 8;  // masks and growth besides
@@ -256,7 +259,7 @@ class Descent {
     return std::min(device_.limits().max_binding / sizeof(shared::HitPair), budget / (top_ + 1) / bytes_a_pair);
   }
 
-  /// An earlier descent with fewer levels may hold more than a level's share is now.
+  /// Frees lists larger than a level's share: an earlier descent with fewer levels may have made them.
   void give_back() {
     const uint64_t most = pair_capacity() * sizeof(shared::HitPair);
     const auto holds_more = [&](const LevelScratch& lists) {

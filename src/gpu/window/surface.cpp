@@ -8,7 +8,7 @@ namespace crsh::gpu {
 
 Surface::Surface(Device& device) : device_(device) {}
 
-// By way of the private constructor, so that the destructor runs when a later step throws.
+// Calls the private constructor first, so that the destructor runs where a later step throws.
 Surface::Surface(Device& device, const std::function<VkResult(VkInstance, VkSurfaceKHR*)>& make) : Surface(device) {
   check(make(device.instance(), &surface_), "making the window's surface");
   require_support();

@@ -168,7 +168,7 @@ void Swapchain::record_all(const Frame& frame, const WindowFrame& window, const 
   if (copy) copy_out(frame, *copy);
 }
 
-/// What of it lies outside of the window is not shown.
+/// Shows the part of it that lies inside the window.
 void Swapchain::show(const Frame& frame, const ShownTexture& shown) const {
   const Area& from = shown.from;
   const Area& to = shown.to;

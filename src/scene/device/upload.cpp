@@ -66,7 +66,8 @@ void upload_meshes(gpu::Device& device, const Scene& scene, GpuScene& out) {
   out.triangles = gpu::upload(device, triangles, "triangles");
 }
 
-/// Instances expanded: drawn triangles, and the blocks that the top level of the traversal takes them in.
+/// Uploads the drawn triangles, those of a mesh once for each instance, and the blocks in which the top level of the
+/// traversal takes them.
 void upload_instances(gpu::Device& device, const Scene& scene, GpuScene& out) {
   const std::vector<uint32_t> first = first_triangles(scene);
   std::vector<shared::Source> sources;
@@ -96,7 +97,7 @@ void upload_materials(gpu::Device& device, const Scene& scene, GpuScene& out) {
   out.notes = std::move(all.texels.notes);
 }
 
-/// Moved by animate(): room for all.
+/// Makes room for what animate() fills in.
 void reserve_moved(gpu::Device& device, GpuScene& out) {
   const uint64_t corners = std::max(out.triangle_count, 1u) * uint64_t(sizeof(glm::vec4));
   out.corner_a.reserve(device, corners, "corners a");
@@ -130,8 +131,8 @@ gpu::BufferSet tables_of(gpu::Device& device, const GpuScene& scene) {
 
 glm::vec4 row(const glm::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
 
-/// The cofactors turn normals, also where the matrix has no inverse; a mirrored instance's are negated, so that
-/// normals stay on the side that its swapped corners face.
+/// Normals are turned by the matrix's cofactors, which exist even where it has no inverse. For a mirrored instance they
+/// are negated, so that normals stay on the side that its swapped corners face.
 shared::Instance device_instance(const glm::mat4& m) {
   const glm::vec3 x(m[0]), y(m[1]), z(m[2]);
   const bool mirrored = glm::dot(glm::dvec3(x), glm::cross(glm::dvec3(y), glm::dvec3(z))) < 0;
@@ -195,7 +196,7 @@ GpuScene upload(gpu::Device& device, const Scene& scene) {
 }
 
 void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, const Pose& pose, const LightRig& lights) {
-  recorder.submit();  // nothing recorded may still need what is overwritten now
+  recorder.submit();  // first, because recorded commands may still read what is overwritten now
   move_objects(recorder.device(), target, scene, pose);
   move_lights(recorder.device(), target, scene, pose, lights);
   const uint32_t push = target.triangle_count;

@@ -18,7 +18,8 @@ shared::Light point_light(glm::vec3 position, glm::vec3 intensity) {
           glm::vec4(0, 1, 0, 0)};
 }
 
-/// Lights the scene's middle with π lux, whatever its scale: white walls there come out at 1 cd/m2.
+/// The intensity that lights the middle of the scene with π lux, whatever its scale, so that white walls there have 1
+/// cd/m2.
 float default_candela(float distance, size_t count) {
   return float(std::numbers::pi * double(distance) * distance / double(count));
 }
@@ -34,7 +35,7 @@ LightRig rig_of_options(std::span<const LightOption> options, const Bounds& boun
   return rig;
 }
 
-/// Above and to the right of the eye, a tenth of the way to the middle of the scene away from it.
+/// The default light: above and to the right of the eye, at a tenth of the eye's distance to the middle of the scene.
 LightRig rig_of_default(const Bounds& bounds, const Viewpoint& viewpoint) {
   const float away = std::max(glm::distance(viewpoint.eye, centre_of(bounds)), radius_of(bounds) * 0.5f);
   const glm::vec3 at = viewpoint.eye + (viewpoint.right + viewpoint.up) * (0.1f * away);

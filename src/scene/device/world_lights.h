@@ -10,7 +10,7 @@
 
 namespace crsh::scene {
 
-/// Which lights a run uses, settled once, for all its frames.
+/// The lights of a run, the same for all its frames.
 struct LightRig {
   std::vector<shared::Light> fixed;  ///< from the options, or the default light; empty: the file's, which nodes carry
   std::vector<LightOption> chosen;   ///< lights whose intensity or place was chosen here, as options for the same
