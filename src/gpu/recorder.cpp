@@ -121,6 +121,7 @@ void Recorder::dispatch_bytes(const Kernel& kernel, uint64_t count, Bytes push, 
   if (first) {  // lavapipe compiles a pipeline when it runs first: it runs on nothing, which is timed apart
     profiler_.begin_first_run(commands);
     vkCmdDispatch(commands, 0, 0, 0);
+    submission_.barrier();  // validation takes it for one that writes
     profiler_.end_first_run(commands);
   }
   const VkExtent2D grid = dispatch_grid(divide_up(count, program.group_size()), device_.limits().max_groups);
