@@ -41,7 +41,7 @@ enum class LayerFill {
   depth,        ///< of the first sample, along the view axis
   object,       ///< number of the first sample's instance
   material,     ///< number of the first sample's material
-  tests         ///< sum of one kind of tests
+  tests         ///< sum of one type of tests
 };
 
 /// What fills a layer. Made by the functions below.

@@ -56,7 +56,7 @@ const Layer* layer_of(const Picture& picture, Show show) {
                                               : picture.find(picture_layer(row_of(show).layers.members().front()));
 }
 
-/// All tests, or those of one kind.
+/// All tests, or those of one layer.
 std::vector<float> tests_of(const Picture& picture, Show show) {
   if (show == Show::tests) return output::tests_of(picture);
   const Layer* layer = layer_of(picture, show);
