@@ -100,6 +100,16 @@ void put(Entry entry) {
   }
 }
 
+/// What is left on the stack joins the frontier unwalked.
+void put_stack(uint depth) {
+  if (depth > 0u) {
+    for (;;) {
+      put(unpacked(stack[--depth]));
+      if (depth == 0u) break;
+    }
+  }
+}
+
 void main() {
   uint i = lane_place();
   bool present = i < group_count;
@@ -150,12 +160,7 @@ void main() {
     if (!(next != none && visits < max_visits && room)) break;
   }
   if (next != none) put(entry);
-  if (depth > 0u) {
-    for (;;) {
-      put(unpacked(stack[--depth]));
-      if (depth == 0u) break;
-    }
-  }
+  put_stack(depth);
   if (present) frontier[first - 1u] = uvec2(count, 0u);
   ADD_COUNTER(box_counter, tests)
   if (present) {

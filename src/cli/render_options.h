@@ -47,6 +47,9 @@ struct RenderCommand {
 
 /// All tables, bound to `command`. Rows are set in this order.
 [[nodiscard]] std::vector<OptionGroup> render_options(RenderCommand& command);
+/// Size, samples, background and such; scene, camera and lights. Both belong to render_options.
+[[nodiscard]] OptionGroup picture_options(RenderOptions& options);
+[[nodiscard]] OptionGroup scene_options(RenderCommand& command);
 /// The preset and its switches. Belongs to render_options.
 [[nodiscard]] OptionGroup algorithm_options(AlgorithmOptions& algorithm);
 /// --layers, and a line a layer for the help.
