@@ -212,7 +212,7 @@ class Measurement {
       frames += result.variant.timed ? result.variant.seconds.size() * rounds_.sum() : 0;
     work_.expect(frames);
     if (rounds_ == asked || !schedule_.say) return;
-    schedule_.say(fmt::format("{} timed {} of each in place of {}, {} for warming up: more would not fit --budget",
+    schedule_.say(fmt::format("{} timed {} of each in place of {}, {} for warming up: more would not fit the budget",
                               rounds_.repeat, rounds_.repeat == 1 ? "pass" : "passes", asked.repeat, rounds_.warmup));
   }
 

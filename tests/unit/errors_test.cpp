@@ -63,10 +63,12 @@ TEST_CASE("no string below the command line speaks of its options") {
 TEST_CASE("whatever is thrown derives from std::exception") {
   static const std::regex thrown("\\bthrow ([A-Za-z_:]+)");
   static const std::regex derived("\\b(?:struct|class) ([A-Za-z]+) : (?:public )?std::(?:runtime_error|exception)");
+  static const std::regex further("\\b(?:struct|class) ([A-Za-z]+) : (?:public )?(?:UserError|Fault) ");
   std::set<std::string> types, sound;
   for (const auto& [path, code] : sources()) {
     types.merge(matches(code, thrown));
     sound.merge(matches(code, derived));
+    sound.merge(matches(code, further));
   }
   CHECK(types.size() >= 5);
   for (const std::string& type : types) {

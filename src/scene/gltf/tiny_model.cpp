@@ -33,7 +33,7 @@ bool no_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const
   return true;
 }
 
-Fault refusal(const std::string& reason) { return Fault("is refused by tinygltf: " + printable(reason, 200)); }
+std::string refusal(const std::string& reason) { return "is refused by tinygltf: " + printable(reason, 200); }
 
 }  // namespace
 
@@ -46,7 +46,7 @@ tinygltf::Model tiny_model(const std::string& text) {
   std::string reason, warning;
   try {
     if (!reader.LoadASCIIFromString(&model, &reason, &warning, text.data(), static_cast<unsigned>(text.size()), ""))
-      throw refusal(reason);
+      throw Fault(refusal(reason));
   } catch (const Fault&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -54,7 +54,7 @@ tinygltf::Model tiny_model(const std::string& text) {
   } catch (const std::length_error&) {
     throw;
   } catch (const std::exception& error) {
-    throw refusal(error.what());
+    throw Fault(refusal(error.what()));
   }
   return model;
 }
