@@ -10,9 +10,8 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { uint count; };
 layout(binding = 0, scalar) readonly buffer RawNodes { uvec4 raw_nodes[]; };
 layout(binding = 1, scalar) readonly buffer Firsts { uint firsts[]; };
-layout(binding = 2, scalar) readonly buffer Places {
-  uint places[];
-};  // kept nodes before each; one element more than raw nodes
+// Kept nodes before each; one element more than raw nodes.
+layout(binding = 2, scalar) readonly buffer Places { uint places[]; };
 layout(binding = 3, scalar) writeonly buffer Low { vec4 box_low[]; };
 layout(binding = 4, scalar) writeonly buffer High { vec4 box_high[]; };
 

@@ -17,9 +17,8 @@ layout(binding = 0, scalar) readonly buffer Weights { vec4 weights[]; };
 layout(binding = 1, scalar) readonly buffer Ends { uint ends[]; };
 layout(binding = 2, scalar) readonly buffer ChildTotals { vec4 child_totals[]; };
 layout(binding = 3, scalar) buffer Totals { vec4 totals[]; };
-layout(binding = 4, scalar) writeonly buffer Brought {
-  vec4 brought[];
-};  // what this kind brought, where wanted; else 0
+// What this kind brought, where wanted; else 0.
+layout(binding = 4, scalar) writeonly buffer Brought { vec4 brought[]; };
 
 void main() {
   uint i = invocation_index();

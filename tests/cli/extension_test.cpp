@@ -119,8 +119,9 @@ void check_shares(const test::TreeCopy& copy, const std::string& file, const std
 
 /// Statistics and completion have the kind, it is cast where its row says, and single rays see the same as nodes.
 void check_kind(const test::TreeCopy& copy) {
+  const json statistics = json::parse(output::read_whole(copy.path() / "occlusion.json"));
   uint64_t rays = 0;
-  for (const json& row : json::parse(output::read_whole(copy.path() / "occlusion.json"))["rays"])
+  for (const json& row : statistics["rays"])
     if (row["kind"] == "occlusion") {
       CHECK((row["count"].get<uint64_t>() > 0) == (row["bounce"] == 0));
       rays += row["count"].get<uint64_t>();

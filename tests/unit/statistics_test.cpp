@@ -42,8 +42,8 @@ TEST_CASE("the JSON has every member of schema crsh-stats/1, in its order") {
   std::vector<std::string> members;
   for (const auto& [name, value] : json.items()) members.push_back(name);
   CHECK(members == std::vector<std::string>{"schema", "version", "commit", "command", "options", "device", "host",
-                                            "scene", "camera", "image", "algorithm", "frames", "frame_ms", "pipeline_ms", "stages",
-                                            "rays", "object_hierarchy", "memory"});
+                                            "scene", "camera", "image", "algorithm", "frames", "frame_ms",
+                                            "pipeline_ms", "stages", "rays", "object_hierarchy", "memory"});
   CHECK(json["schema"] == "crsh-stats/1");
   for (const char* name : {"name", "driver", "driver_version", "api_version", "type", "subgroup_size"})
     CHECK(json["device"].contains(name));
