@@ -57,8 +57,12 @@ class Recorder {
   template <class Push>
   void dispatch(const Kernel& kernel, uint64_t count, const Push& push, std::initializer_list<Argument> arguments,
                 uint64_t work = 0) {
+    dispatch(kernel, count, push, Arguments(arguments.begin(), arguments.size()), work);
+  }
+  template <class Push>
+  void dispatch(const Kernel& kernel, uint64_t count, const Push& push, Arguments arguments, uint64_t work = 0) {
     static_assert(std::is_trivially_copyable_v<Push>);
-    dispatch_bytes(kernel, count, bytes_of(push), {arguments.begin(), arguments.size()}, work);
+    dispatch_bytes(kernel, count, bytes_of(push), arguments, work);
   }
 
   /// Builds the device's own hierarchy over `corners`, three vec4 a triangle.

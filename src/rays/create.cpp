@@ -50,39 +50,26 @@ Push push_of(const CreateIn& in, const KindRun& run) {
           .scene_edge = in.scene.bounds.longest_edge()};
 }
 
-void create_any_hit(gpu::Recorder& recorder, const CreateIn& in, const KindRun& run, const Sparse& out) {
+/// What every creation shader may read, and where its rays go.
+std::vector<gpu::Argument> arguments_of(const CreateIn& in, const Sparse& out) {
   const surfaces::Surfaces& s = in.surfaces;
-  const Push push = push_of(in, run);
-  recorder.dispatch(std::string(ray_kinds[run.kind].creation), push.count, push,
-                    {{"positions", s.position},
-                     {"normals", s.normal},
-                     {"geometrics", s.geometric},
-                     {"incomings", s.incoming},
-                     {"diffuses", s.diffuse},
-                     {"speculars", s.specular},
-                     {"lights", in.scene.lights},
-                     {"triangle_spheres", in.scene.triangle_spheres},
-                     {"rays", out.rays},
-                     {"flags", out.flags}});
+  return {{"positions", s.position},   {"normals", s.normal},
+          {"geometrics", s.geometric}, {"incomings", s.incoming},
+          {"diffuses", s.diffuse},     {"speculars", s.specular},
+          {"lights", in.scene.lights}, {"triangle_spheres", in.scene.triangle_spheres},
+          {"rays", out.rays},          {"flags", out.flags}};
 }
 
-void create_closest(gpu::Recorder& recorder, const CreateIn& in, const KindRun& run, const Sparse& out,
-                    gpu::Buffer& weights) {
-  const surfaces::Surfaces& s = in.surfaces;
+/// `weights`: of the kind's rays, where it takes closest hits; else null.
+void create_run(gpu::Recorder& recorder, const CreateIn& in, const KindRun& run, const Sparse& out,
+                gpu::Buffer* weights) {
+  std::vector<gpu::Argument> arguments = arguments_of(in, out);
+  if (weights) {
+    primitives::grow(recorder, *weights, in.surfaces.count * uint64_t(sizeof(glm::vec4)), "ray weights");
+    arguments.push_back({"weights", *weights});
+  }
   const Push push = push_of(in, run);
-  primitives::grow(recorder, weights, s.count * uint64_t(sizeof(glm::vec4)), "ray weights");
-  recorder.dispatch(std::string(ray_kinds[run.kind].creation), push.count, push,
-                    {{"positions", s.position},
-                     {"normals", s.normal},
-                     {"geometrics", s.geometric},
-                     {"incomings", s.incoming},
-                     {"diffuses", s.diffuse},
-                     {"speculars", s.specular},
-                     {"lights", in.scene.lights},
-                     {"triangle_spheres", in.scene.triangle_spheres},
-                     {"rays", out.rays},
-                     {"flags", out.flags},
-                     {"weights", weights}});
+  recorder.dispatch(std::string(ray_kinds[run.kind].creation), push.count, push, arguments);
 }
 
 }  // namespace
@@ -118,10 +105,8 @@ void create(gpu::Recorder& recorder, const CreateIn& in, Sparse& out, surfaces::
   out.slots = in.plan.slots();
   primitives::grow(recorder, out.rays, out.slots * uint64_t(sizeof(shared::Ray)), "sparse rays");
   primitives::grow(recorder, out.flags, primitives::quad_bytes(out.slots), "head flags");
-  for (const KindRun& run : runs_of(in.plan)) {
-    if (ray_kinds[run.kind].any_hit) create_any_hit(recorder, in, run, out);
-    else create_closest(recorder, in, run, out, generation.weights[run.kind]);
-  }
+  for (const KindRun& run : runs_of(in.plan))
+    create_run(recorder, in, run, out, ray_kinds[run.kind].any_hit ? nullptr : &generation.weights[run.kind]);
 }
 
 }  // namespace crsh::rays

@@ -27,6 +27,17 @@ void clear_direct(gpu::Recorder& recorder, const Generation& generation, uint32_
   recorder.fill(generation.direct, 0, uint64_t(count) * 4, uint64_t(first) * 4);
 }
 
+/// What a kernel reads, and where it puts the surfaces that it finds (shaders/surfaces/surfaces.glsl).
+std::vector<gpu::Argument> with_outputs(std::vector<gpu::Argument> read, const Surfaces& surfaces,
+                                        const Generation& generation) {
+  const gpu::Argument outputs[] = {{"out_position", surfaces.position},   {"out_normal", surfaces.normal},
+                                   {"out_geometric", surfaces.geometric}, {"out_incoming", surfaces.incoming},
+                                   {"out_diffuse", surfaces.diffuse},     {"out_specular", surfaces.specular},
+                                   {"out_emission", generation.emission}};
+  read.insert(read.end(), std::begin(outputs), std::end(outputs));
+  return read;
+}
+
 /// Where the rays of one kind hit.
 void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, const Surfaces& surfaces,
               const Generation& generation) {
@@ -36,19 +47,13 @@ void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, cons
   const HitsPush push{run.first_ray,          run.count,       children.surfaces,
                       children.first_surface, run.first_child, ray_kinds[kind].turn};
   recorder.dispatch("surfaces/from_hits", push.count, push,
-                    {in.scene.tables,
-                     {"rays", in.rays},
-                     {"slot_of", in.slots},
-                     {"hits", in.hits},
-                     {"parent_diffuse", in.parents.diffuse},
-                     {"parent_specular", in.parents.specular},
-                     {"out_position", surfaces.position},
-                     {"out_normal", surfaces.normal},
-                     {"out_geometric", surfaces.geometric},
-                     {"out_incoming", surfaces.incoming},
-                     {"out_diffuse", surfaces.diffuse},
-                     {"out_specular", surfaces.specular},
-                     {"out_emission", generation.emission}});
+                    with_outputs({in.scene.tables,
+                                  {"rays", in.rays},
+                                  {"slot_of", in.slots},
+                                  {"hits", in.hits},
+                                  {"parent_diffuse", in.parents.diffuse},
+                                  {"parent_specular", in.parents.specular}},
+                                 surfaces, generation));
 }
 
 }  // namespace
@@ -79,19 +84,13 @@ void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surf
                         in.count};
   const raster::GBuffer& g = in.gbuffer;
   recorder.dispatch("surfaces/from_raster", in.count, push,
-                    {in.scene.tables,
-                     {"positions", g.position},
-                     {"normals", g.normal},
-                     {"diffuses", g.diffuse},
-                     {"speculars", g.specular},
-                     {"ids", g.triangle},
-                     {"out_position", surfaces.position},
-                     {"out_normal", surfaces.normal},
-                     {"out_geometric", surfaces.geometric},
-                     {"out_incoming", surfaces.incoming},
-                     {"out_diffuse", surfaces.diffuse},
-                     {"out_specular", surfaces.specular},
-                     {"out_emission", generation.emission}});
+                    with_outputs({in.scene.tables,
+                                  {"positions", g.position},
+                                  {"normals", g.normal},
+                                  {"diffuses", g.diffuse},
+                                  {"speculars", g.specular},
+                                  {"ids", g.triangle}},
+                                 surfaces, generation));
 }
 
 void from_hits(gpu::Recorder& recorder, const FromHitsIn& in, Surfaces& surfaces, Generation& generation) {
