@@ -4,6 +4,7 @@
 // image.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
 #include "lib/exact.glsl"
 #include "raster/view.glsl"
 #include "scene/surface.glsl"

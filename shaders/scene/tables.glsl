@@ -5,18 +5,18 @@
 #include "shared/limits.h"
 #include "shared/scene.h"
 
-layout(set = 1, binding = 0) uniform usamplerBuffer corner_a;  // of a drawn triangle: bits of a vec4 (shared/scene.h)
-layout(set = 1, binding = 1) uniform usamplerBuffer corner_b;
-layout(set = 1, binding = 2) uniform usamplerBuffer corner_c;
+layout(set = 1, binding = 0) uniform utextureBuffer corner_a;  // of a drawn triangle: bits of a vec4 (shared/scene.h)
+layout(set = 1, binding = 1) uniform utextureBuffer corner_b;
+layout(set = 1, binding = 2) uniform utextureBuffer corner_c;
 layout(set = 1, binding = 3, scalar) readonly buffer Triangles { uvec4 triangles[]; };  // as stored
 layout(set = 1, binding = 4, scalar) readonly buffer Vertices { Vertex vertices[]; };
 layout(set = 1, binding = 5, scalar) readonly buffer Instances { Instance instances[]; };
 layout(set = 1, binding = 6, scalar) readonly buffer Materials { Material materials[]; };
-layout(set = 1, binding = 7) uniform usamplerBuffer textures;  // Texture, a texel each
-layout(set = 1, binding = 8) uniform usamplerBuffer texels0;   // a page each: RGBA8 a word
-layout(set = 1, binding = 9) uniform usamplerBuffer texels1;
-layout(set = 1, binding = 10) uniform usamplerBuffer texels2;
-layout(set = 1, binding = 11) uniform usamplerBuffer texels3;
+layout(set = 1, binding = 7) uniform utextureBuffer textures;  // Texture, a texel each
+layout(set = 1, binding = 8) uniform utextureBuffer texels0;   // a page each: RGBA8 a word
+layout(set = 1, binding = 9) uniform utextureBuffer texels1;
+layout(set = 1, binding = 10) uniform utextureBuffer texels2;
+layout(set = 1, binding = 11) uniform utextureBuffer texels3;
 
 uint texel_word(uint page, uint index) {
   int i = int(index);

@@ -3,6 +3,7 @@
 // surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
 layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 #include "scene/tables.glsl"

@@ -3,6 +3,7 @@
 // bounce). Lane: a ray, in creation order; it hands on its pixel, and its path with the turn that its kind is.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
 layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 #include "lib/triangle.glsl"

@@ -3,6 +3,7 @@
 // Lane: a pixel. Emission, the geometric normal and the side of a solid come from the triangle.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
 layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 #include "lib/pixel_order.glsl"

@@ -12,7 +12,7 @@
 
 namespace crsh::gpu {
 
-/// How a shader reads a buffer of a set: as a storage buffer, or by texelFetch() of a usamplerBuffer. Texel buffers
+/// How a shader reads a buffer of a set: as a storage buffer, or by texelFetch() of a utextureBuffer. Texel buffers
 /// count as sampled images, of which every device has 16 a stage at least; of storage buffers it may have but 4.
 enum class ReadAs { storage, texels_r32u, texels_rgba32u };
 

@@ -168,12 +168,12 @@ uint32_t size_of(const Module& module, uint32_t type, const MemberLayout& layout
   }
 }
 
-Resource image_kind(const Module& module, const Definition& type) {
-  if (type.op == SpvOpTypeSampledImage) {
-    require(module.at(type.operands[1]).operands[2] == SpvDimBuffer, "of samplers, only texel buffers are supported");
-    return Resource::texel_buffer;
-  }
-  require(type.op == SpvOpTypeImage && type.operands[6] == 2, "of images, only single storage images are supported");
+Resource image_kind(const Definition& type) {
+  constexpr uint32_t sampled = 1, storage = 2;
+  require(type.op == SpvOpTypeImage, "samplers are not supported: read a textureBuffer by texelFetch()");
+  const bool is_buffer = type.operands[2] == SpvDimBuffer;
+  if (is_buffer && type.operands[6] == sampled) return Resource::texel_buffer;
+  require(!is_buffer && type.operands[6] == storage, "of images, only single storage images are supported");
   return Resource::storage_image;
 }
 
@@ -187,7 +187,7 @@ std::optional<Resource> resource_of(const Module& module, SpvStorageClass storag
   }
   if (storage != SpvStorageClassUniformConstant) return std::nullopt;
   const Definition& type = module.at(pointee);
-  return type.op == SpvOpTypeAccelerationStructureKHR ? Resource::acceleration_structure : image_kind(module, type);
+  return type.op == SpvOpTypeAccelerationStructureKHR ? Resource::acceleration_structure : image_kind(type);
 }
 
 std::string name_of(const Module& module, uint32_t variable, Resource kind, uint32_t pointee) {
