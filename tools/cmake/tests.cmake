@@ -77,6 +77,9 @@ foreach(folder unit stages properties images oracle cli robustness viewer)
       add_dependencies(test_${folder} ${program})
     endif()
   endforeach()
+  if(TARGET crsh_library AND folder STREQUAL cli)
+    add_dependencies(test_cli crsh_library)  # package_test.cpp installs it
+  endif()
   foreach(program test_unit test_stages test_properties test_images)  # extension_test.cpp links their objects
     if(TARGET ${program} AND folder STREQUAL cli)
       add_dependencies(test_${folder} ${program})
