@@ -1,6 +1,8 @@
 #include "intersection/single.h"
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 #include "primitives/grow.h"
 #include "shared/counters.h"
@@ -55,6 +57,22 @@ class SingleRays {
             in_.account.first(shared::tests_triangle, 0)};
   }
 
+  /// These and what every walk reads and counts: the object hierarchy, its triangles, the rays and their hits.
+  [[nodiscard]] std::vector<gpu::Argument> with_scene(std::vector<gpu::Argument> arguments) const {
+    const gpu::Argument common[] = {{"corner_a", objects_.leaf_a},
+                                    {"corner_b", objects_.leaf_b},
+                                    {"corner_c", objects_.leaf_c},
+                                    {"materials", in_.scene.materials},
+                                    {"hits", in_.hits},
+                                    {"rays", in_.batch.rays},
+                                    {"counters", in_.counters},
+                                    {"box_low", objects_.box_low},
+                                    {"box_high", objects_.box_high},
+                                    {"account", in_.account.buffer_or(in_.counters)}};
+    arguments.insert(arguments.end(), std::begin(common), std::end(common));
+    return arguments;
+  }
+
   /// So many rays, of the list if there is one; what they leave goes to `unfinished`, which is empty.
   void walk_all(uint32_t count, const gpu::Buffer* list, const gpu::Buffer& unfinished) {
     const uint32_t piece = uint32_t(std::clamp<uint64_t>(in_.submit_work / usual_tests, 1, count));
@@ -69,18 +87,7 @@ class SingleRays {
       uint32_t listed;
     } push{push_of(first, first + count), list != nullptr};
     recorder_.dispatch(in_.account.kernel("intersection/single"), count, push,
-                       {{"corner_a", objects_.leaf_a},
-                        {"corner_b", objects_.leaf_b},
-                        {"corner_c", objects_.leaf_c},
-                        {"materials", in_.scene.materials},
-                        {"hits", in_.hits},
-                        {"rays", in_.batch.rays},
-                        {"counters", in_.counters},
-                        {"box_low", objects_.box_low},
-                        {"box_high", objects_.box_high},
-                        {"unfinished", unfinished},
-                        {"list", list ? *list : in_.counters},
-                        {"account", in_.account.buffer_or(in_.counters)}},
+                       with_scene({{"unfinished", unfinished}, {"list", list ? *list : in_.counters}}),
                        count * usual_tests);
     recorder_.submit_past(in_.submit_work);
   }
@@ -100,20 +107,10 @@ class SingleRays {
     do {
       recorder_.fill(scratch_.walking, 0, 1);
       recorder_.dispatch(in_.account.kernel("intersection/single_resume"), count, push_of(first, count),
-                         {{"corner_a", objects_.leaf_a},
-                          {"corner_b", objects_.leaf_b},
-                          {"corner_c", objects_.leaf_c},
-                          {"materials", in_.scene.materials},
-                          {"hits", in_.hits},
-                          {"rays", in_.batch.rays},
-                          {"counters", in_.counters},
-                          {"box_low", objects_.box_low},
-                          {"box_high", objects_.box_high},
-                          {"list", list},
-                          {"walking", scratch_.walking},
-                          {"states", scratch_.states},
-                          {"stacks", scratch_.stacks},
-                          {"account", in_.account.buffer_or(in_.counters)}},
+                         with_scene({{"list", list},
+                                     {"walking", scratch_.walking},
+                                     {"states", scratch_.states},
+                                     {"stacks", scratch_.stacks}}),
                          count * max_tests);
     } while (recorder_.read<uint32_t>(scratch_.walking, 1)[0]);
   }
