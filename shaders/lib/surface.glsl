@@ -18,6 +18,7 @@ struct Surface {
   float transmission;
   float eta;      // n(this side) / n(other side); 1 where the ray does not bend
   vec3 emission;  // cd/m2
+  float alpha;    // coverage: 1, but where alphaMode is BLEND
 };
 
 /// Unit normal of the front; 0 for a triangle without area. Edges are scaled first, so that small triangles do not
@@ -41,16 +42,39 @@ vec3 turned_normal(vec3 front, vec3 incoming) {
   return meets_front(front, incoming) ? front : -front;
 }
 
-/// The interpolated normal, turned to the geometric normal's side. Where it points away from the ray that came, as it
-/// may at the silhouette of a coarse mesh, it is turned until it does not. Zero: the geometric normal, for flat
-/// shading.
+/// A normal that points away from the ray that came, as it may at the silhouette of a coarse mesh, turned until it does
+/// not.
+vec3 lifted_normal(vec3 normal, vec3 incoming) {
+  precise float away = exact_dot(normal, incoming) + 1e-3;
+  precise vec3 lifted = normal - incoming * away;
+  return away > 0.0 ? exact_normalize(lifted) : normal;
+}
+
+/// The interpolated normal, turned to the geometric normal's side and to the ray that came. Zero: the geometric normal,
+/// for flat shading.
 vec3 shading_normal(vec3 interpolated, vec3 geometric, vec3 incoming) {
   vec3 normal = exact_normalize(interpolated);
   if (!(exact_dot(normal, normal) > 0.5)) return geometric;
   if (exact_dot(normal, geometric) < 0.0) normal = -normal;
-  precise float away = exact_dot(normal, incoming) + 1e-3;
-  precise vec3 lifted = normal - incoming * away;
-  return away > 0.0 ? exact_normalize(lifted) : normal;
+  return lifted_normal(normal, incoming);
+}
+
+/// The frame in which normal maps tilt, as MikkTSpace has it: neither normal nor tangent are unit or at right angles
+/// after interpolation. `sign`: the bitangent's.
+struct TangentFrame {
+  vec3 tangent;
+  vec3 bitangent;
+  vec3 normal;
+};
+
+TangentFrame tangent_frame(vec3 normal, vec3 tangent, float sign) {
+  return TangentFrame(tangent, cross(normal, tangent) * sign, normal);
+}
+
+/// The normal that a normal map's texel stands for (glTF 2.0, section 3.9.3), on the side of the front.
+vec3 mapped_normal(TangentFrame frame, vec3 texel, float scale) {
+  vec3 tilt = (texel * 2.0 - 1.0) * vec3(scale, scale, 1.0);
+  return frame.tangent * tilt.x + frame.bitangent * tilt.y + frame.normal * tilt.z;
 }
 
 /// Barycentric weights, none negative, of a point on the triangle (a third each where it has no area).

@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_TEXTURES_GLSL
 #define CRSH_LIB_TEXTURES_GLSL
-// A texture sampler of our own, because not every device can choose another texture in each lane. There are no mip
-// levels: several samples a pixel smooth the picture. The includer defines `uint texel_word(uint page, uint index)`.
+// A texture sampler of our own, because not every device can choose another texture in each lane. The includer defines
+// `uint texel_word(uint page, uint index)` and `Texture texture_of(uint i)`.
 
 #include "shared/limits.h"
 #include "shared/scene.h"
@@ -40,13 +40,12 @@ vec4 texel(Texture image, ivec2 at) {
   return (image.flags & texture_srgb) != 0u ? vec4(srgb_to_linear(value.rgb), value.a) : value;
 }
 
-/// The texture at `uv`: nearest or bilinear, each texel decoded before it is filtered.
-vec4 sample_texture(Texture image, vec2 uv) {
+/// One level of a texture at `uv`: nearest or bilinear, each texel decoded before it is filtered.
+vec4 sample_level(Texture image, bool nearest, vec2 uv) {
   vec2 size = vec2(float(image.width), float(image.height));
   vec2 at =
       vec2(reduced(uv.x, wrap_of(image, texture_wrap_s_shift)), reduced(uv.y, wrap_of(image, texture_wrap_t_shift))) *
       size;
-  bool nearest = (image.flags & texture_nearest) != 0u;
   vec2 corner = floor(nearest ? at : at - 0.5);
   vec2 part = nearest ? vec2(0.0) : at - 0.5 - corner;
   vec4 sum = vec4(0.0);
@@ -55,6 +54,30 @@ vec4 sample_texture(Texture image, vec2 uv) {
     vec2 share = mix(vec2(1.0) - part, part, vec2(step));
     sum += texel(image, ivec2(corner) + step) * (share.x * share.y);
   }
+  return sum;
+}
+
+/// How many times smaller than the texture a level has to be that is seen with these texels a footprint, as a power of
+/// two: `texels`, of level 0, that the footprint is wide.
+float level_of(float texels) { return texels > 1.0 ? log2(texels) : 0.0; }
+
+/// The texture at `uv`, seen with a footprint that is `texels` of level 0 wide (up to 1: magnified; glTF 2.0, section
+/// 3.8.4).
+vec4 sample_texture(uint index, vec2 uv, float texels) {
+  Texture whole = texture_of(index);
+  uint last = whole.flags >> texture_levels_shift & 15u;
+  if (texels <= 1.0 || last == 0u) {
+    uint way = texels <= 1.0 ? texture_nearest : texture_nearest_in_level;
+    return sample_level(whole, (whole.flags & way) != 0u, uv);
+  }
+  float level = min(level_of(texels), float(last));
+  bool one = (whole.flags & texture_nearest_level) != 0u;
+  float first = one ? floor(level + 0.5) : floor(level);
+  float part = one ? 0.0 : level - first;
+  bool nearest = (whole.flags & texture_nearest_in_level) != 0u;
+  vec4 sum = vec4(0.0);
+  for (uint i = 0u; i < (part > 0.0 ? 2u : 1u); ++i)
+    sum += sample_level(texture_of(index + uint(first) + i), nearest, uv) * (i == 0u ? 1.0 - part : part);
   return sum;
 }
 

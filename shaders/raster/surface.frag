@@ -16,9 +16,19 @@ layout(location = 2) out vec4 out_diffuse;   // base colour less metal; w: metal
 layout(location = 3) out vec4 out_specular;  // F0; w: 1
 layout(location = 4) out uint out_triangle;  // its number from 1 on; 0: nothing
 
+/// Barycentric weights cost three loads; only tangents need them.
+Point point_of(Material material) {
+  Point point = Point(drawn_triangle, position, vec3(0.0), front, area, cone_at(position));
+  if ((material.slots & 1u << slot_normal) == 0u) return point;
+  Corners at = corners_at(drawn_triangle);
+  point.weights = weights_at(position, at.a, at.b, at.c);
+  return point;
+}
+
 void main() {
-  Attributes at = Attributes(normal, colour, texcoords.xy, texcoords.zw);
-  Surface seen = surface_of(material_of(drawn_triangle), at, position, front, eye_ray(position));
+  Attributes at = Attributes(normal, colour, vec2[3](texcoords.xy, texcoords.zw, more_texcoords));
+  Material material = material_of(drawn_triangle);
+  Surface seen = surface_of(material, at, point_of(material), eye_ray(position));
   out_position = vec4(seen.position, seen.roughness);
   out_normal = vec4(seen.normal, seen.transmission);
   out_diffuse = vec4(seen.diffuse, seen.metallic);

@@ -20,10 +20,11 @@ vec4 projected(vec3 point) {
 
 void hand_over_vertex(uint corner) {
   Instance instance = instances[instance_of(drawn_triangle)];
-  Vertex vertex = vertices[vertices_of(drawn_triangle, instance.normal0.w != 0.0)[corner]];
+  Vertex vertex = vertex_at(vertices_of(drawn_triangle, is_mirrored(instance))[corner]);
   normal = normal_to_world(instance, vertex.normal);
-  colour = unpackUnorm4x8(vertex.colour);
-  texcoords = vec4(vertex.uv0, vertex.uv1);
+  colour = colour_of(vertex);
+  texcoords = vec4(vertex.uv[0], vertex.uv[1]);
+  more_texcoords = vertex.uv[2];
 }
 
 void main() {
@@ -31,6 +32,7 @@ void main() {
   uint corner = uint(gl_VertexIndex) % 3u;
   Corners at = corners_at(drawn_triangle);
   front = front_normal(at.a, at.b, at.c);
+  area = doubled_area(at.a, at.b, at.c);
   position = corner == 0u ? at.a : corner == 1u ? at.b : at.c;
   hand_over_vertex(corner);
   bool passes = (flags_of(drawn_triangle) & triangle_cull_back) != 0u && !meets_front(front, eye_ray(at.a));

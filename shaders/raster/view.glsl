@@ -11,7 +11,12 @@ layout(push_constant, scalar) uniform Push {
   float near_plane;
   vec2 shift;       // of the image, in half widths and half heights: where in its pixel the sample lies
   float far_plane;  // orthographic only
+  float cone_spread;  // how much wider a pixel's cone gets in a metre
+  float cone_width;   // and how wide it is at the eye, metres
 };
+
+/// How wide the pixel's cone is at `point`.
+float cone_at(vec3 point) { return cone_width + cone_spread * length(point - eye); }
 
 /// Unit direction of the ray that the eye sends through `point`.
 vec3 eye_ray(vec3 point) { return orthographic == 1.0 ? forward : exact_normalize(point - eye); }

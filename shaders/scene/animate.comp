@@ -10,7 +10,7 @@ layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { uint count; };
 layout(binding = 0, scalar) readonly buffer Sources { Source sources[]; };
-layout(binding = 1, scalar) readonly buffer Triangles { uvec4 triangles[]; };  // vertices, material with flags
+layout(binding = 1, scalar) readonly buffer Triangles { StoredTriangle triangles[]; };
 layout(binding = 2, scalar) readonly buffer Positions { vec3 positions[]; };
 layout(binding = 3, scalar) readonly buffer Instances { Instance instances[]; };
 layout(binding = 4, scalar) writeonly buffer CornersA { vec4 corner_a[]; };
@@ -30,12 +30,13 @@ void main() {
   if (i >= count) return;
   Source source = sources[i];
   Instance instance = instances[source.instance];
-  uvec4 triangle = triangles[source.triangle];
+  uvec3 triangle = triangles[source.triangle].vertices;
   bool mirrored = instance.normal0.w != 0.0;
   vec3 a = to_world(instance, positions[triangle.x]);
   vec3 b = to_world(instance, positions[mirrored ? triangle.z : triangle.y]);
   vec3 c = to_world(instance, positions[mirrored ? triangle.y : triangle.z]);
-  corner_a[i] = vec4(a, uintBitsToFloat(triangle.w));
+  uint flagged = triangles[source.triangle].material | (mirrored ? triangle_mirrored : 0u);
+  corner_a[i] = vec4(a, uintBitsToFloat(flagged));
   corner_b[i] = vec4(b, uintBitsToFloat(source.instance));
   corner_c[i] = vec4(c, uintBitsToFloat(source.triangle));
   triangle_spheres[i] = smallest_sphere(a, b, c);

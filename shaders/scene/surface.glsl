@@ -3,39 +3,92 @@
 
 #include "scene/tables.glsl"
 #include "lib/surface.glsl"
+#include "lib/tangent.glsl"
 #include "lib/textures.glsl"
 
 /// Vertex attributes interpolated; the normal in world space, not yet unit.
 struct Attributes {
   vec3 normal;
   vec4 colour;
-  vec2 uv0;
-  vec2 uv1;
+  vec2 uv[3];
 };
+
+vec4 colour_of(Vertex vertex) { return vec4(unpackHalf2x16(vertex.colour.x), unpackHalf2x16(vertex.colour.y)); }
 
 vec3 normal_to_world(Instance instance, vec3 normal) {
   return vec3(dot(instance.normal0.xyz, normal), dot(instance.normal1.xyz, normal), dot(instance.normal2.xyz, normal));
 }
 
+vec3 direction_to_world(Instance instance, vec3 direction) {
+  return vec3(dot(instance.row0.xyz, direction), dot(instance.row1.xyz, direction),
+              dot(instance.row2.xyz, direction));
+}
+
 /// Which stored vertices a drawn triangle's corners a, b, c are: a mirrored instance has swapped b and c.
 uvec3 vertices_of(uint triangle, bool mirrored) {
-  uvec3 corner = triangles[stored_of(triangle)].xyz;
+  uvec3 corner = stored_triangle(stored_of(triangle)).vertices;
   return mirrored ? corner.xzy : corner;
 }
 
+bool is_mirrored(Instance instance) { return instance.normal0.w != 0.0; }
+
 Attributes attributes_at(uint triangle, vec3 weights) {
   Instance instance = instances[instance_of(triangle)];
-  uvec3 corner = vertices_of(triangle, instance.normal0.w != 0.0);
-  Attributes sum = Attributes(vec3(0.0), vec4(0.0), vec2(0.0), vec2(0.0));
+  uvec3 corner = vertices_of(triangle, is_mirrored(instance));
+  Attributes sum = Attributes(vec3(0.0), vec4(0.0), vec2[3](vec2(0.0), vec2(0.0), vec2(0.0)));
   for (int i = 0; i < 3; ++i) {
-    Vertex vertex = vertices[corner[i]];
+    Vertex vertex = vertex_at(corner[i]);
     sum.normal += vertex.normal * weights[i];
-    sum.colour += unpackUnorm4x8(vertex.colour) * weights[i];
-    sum.uv0 += vertex.uv0 * weights[i];
-    sum.uv1 += vertex.uv1 * weights[i];
+    sum.colour += colour_of(vertex) * weights[i];
+    sum.uv[0] += vertex.uv[0] * weights[i];
+    sum.uv[1] += vertex.uv[1] * weights[i];
+    sum.uv[2] += vertex.uv[2] * weights[i];
   }
   sum.normal = normal_to_world(instance, sum.normal);
   return sum;
+}
+
+/// The point of a drawn triangle that is shaded.
+struct Point {
+  uint triangle;
+  vec3 position;
+  vec3 weights;    // barycentric
+  vec3 front;      // unit normal of the triangle's front
+  float area;      // twice the triangle's, m2
+  float footprint;  // width, in metres, of what a pixel sees there, across the ray
+};
+
+/// Twice a triangle's area.
+float doubled_area(vec3 a, vec3 b, vec3 c) { return length(cross(b - a, c - a)); }
+
+/// What a ray cone that is so wide where it meets the surface covers of it along its longer axis. (Akenine-Moeller et
+/// al., "Texture Level of Detail Strategies for Real-Time Ray Tracing", 2019; the cone is not bent by curvature.)
+float footprint_on(Point point, vec3 incoming) {
+  return point.footprint / max(abs(dot(point.front, incoming)), 0.0625);
+}
+
+/// How many texels of the texture are as wide as `footprint` metres of the triangle.
+float texels_across(TextureUse use, vec3 uv_areas, float area, float footprint) {
+  Texture whole = texture_of(use.texture);
+  float stretch = abs(use.matrix.x * use.matrix.w - use.matrix.y * use.matrix.z);
+  float texels = uv_areas[use.uv_set] * stretch * float(whole.width) * float(whole.height);
+  return footprint * sqrt(texels / max(area, 1e-30));
+}
+
+/// Texture coordinates after KHR_texture_transform.
+vec2 transformed(TextureUse use, vec2 uv) {
+  precise vec2 x = use.matrix.xz * uv.x;
+  precise vec2 y = use.matrix.yw * uv.y;
+  precise vec2 sum = (x + y) + use.offset;
+  return sum;
+}
+
+/// The texture of one of a material's slots, which it must have.
+vec4 texel_of(Material material, uint slot, Attributes at, vec3 uv_areas, float area, float footprint) {
+  uint before = bitCount(material.slots & ((1u << slot) - 1u));
+  TextureUse use = texture_use(material.first_use + before);
+  vec2 uv = use.uv_set == 0u ? at.uv[0] : use.uv_set == 1u ? at.uv[1] : at.uv[2];
+  return sample_texture(use.texture, transformed(use, uv), texels_across(use, uv_areas, area, footprint));
 }
 
 /// What a material's textures hold at a point; white where it has none.
@@ -44,41 +97,74 @@ struct Texels {
   vec4 metallic_roughness;
   vec4 emissive;
   vec4 transmission;
+  vec4 normal;
+  vec4 occlusion;
 };
+const uint slots_of_all = (1u << slot_occlusion + 1u) - 1u;
 
 /// One loop over the textures that the material has: the sampler is long, and lavapipe 22.3 runs through every branch,
-/// taken or not. (Nested loops that test at their ends give wrong sums there.)
-Texels texels_at(Material material, Attributes at) {
-  uvec4 words = material.textures;
-  Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
-  uvec4 bits = mix(uvec4(1u, 2u, 4u, 8u), uvec4(0u), equal(words, uvec4(none)));
-  uint left = bits.x | bits.y | bits.z | bits.w;
+/// taken or not. (Nested loops that test at their ends give wrong sums there.) `slots`: those of the first six that are
+/// wanted.
+Texels texels_at(Material material, uint slots, Attributes at, Point point, vec3 incoming) {
+  Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
+  uint left = material.slots & slots;
   if (left == 0u) return found;
+  vec3 uv_areas = stored_triangle(stored_of(point.triangle)).uv_areas;
+  float footprint = footprint_on(point, incoming);
   for (; left != 0u; left &= left - 1u) {
-    int slot = findLSB(left);
-    vec4 value = sample_texture(texture_of(words[slot] >> 1), (words[slot] & 1u) == 0u ? at.uv0 : at.uv1);
-    if (slot == 0) found.base_colour = value;
-    if (slot == 1) found.metallic_roughness = value;
-    if (slot == 2) found.emissive = value;
-    if (slot == 3) found.transmission = value;
+    uint slot = uint(findLSB(left));
+    vec4 value = texel_of(material, slot, at, uv_areas, point.area, footprint);
+    if (slot == slot_base_colour) found.base_colour = value;
+    if (slot == slot_metallic_roughness) found.metallic_roughness = value;
+    if (slot == slot_emissive) found.emissive = value;
+    if (slot == slot_transmission) found.transmission = value;
+    if (slot == slot_normal) found.normal = value;
+    if (slot == slot_occlusion) found.occlusion = value;
   }
   return found;
 }
 
-/// The surface that a ray along the unit vector `incoming` meets at a point of a triangle with this material and front.
-Surface surface_of(Material material, Attributes at, vec3 position, vec3 front, vec3 incoming) {
-  Texels texels = texels_at(material, at);
-  vec3 base = material.base_colour.rgb * at.colour.rgb * texels.base_colour.rgb;
+/// The frame of a point's tangents in world space; its tangent is 0 where the mesh has none. `normal`: as interpolated.
+TangentFrame frame_at(Point point, vec3 normal) {
+  Instance instance = instances[instance_of(point.triangle)];
+  uvec3 corner = vertices_of(point.triangle, is_mirrored(instance));
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < 3; ++i) {
+    uint word = vertex_at(corner[i]).tangent;
+    if (has_tangent(word)) sum += unpacked_tangent(word) * point.weights[i];
+  }
+  float sign = (sum.w < 0.0) != is_mirrored(instance) ? -1.0 : 1.0;
+  vec3 straight = dot(normal, normal) > 0.0 ? exact_normalize(normal) : point.front;
+  return tangent_frame(straight, exact_normalize(direction_to_world(instance, sum.xyz)), sign);
+}
+
+/// The shading normal where there is a normal map. `normal`: as interpolated.
+vec3 tilted_normal(Point point, vec3 normal, vec3 geometric, vec3 texel, float scale, vec3 incoming) {
+  TangentFrame frame = frame_at(point, normal);
+  vec3 mapped = exact_normalize(mapped_normal(frame, texel, scale));
+  if (!(dot(frame.tangent, frame.tangent) > 0.5 && dot(mapped, mapped) > 0.5))
+    return shading_normal(normal, geometric, incoming);
+  return lifted_normal(exact_dot(frame.normal, geometric) < 0.0 ? -mapped : mapped, incoming);
+}
+
+/// The surface that a ray along the unit vector `incoming` meets at a point of a triangle with this material.
+Surface surface_of(Material material, Attributes at, Point point, vec3 incoming) {
+  Texels texels = texels_at(material, slots_of_all, at, point, incoming);
+  vec4 base = material.base_colour * at.colour * texels.base_colour;
   Surface found;
-  found.position = position;
-  found.geometric = turned_normal(front, incoming);
+  found.position = point.position;
+  found.geometric = turned_normal(point.front, incoming);
   found.normal = shading_normal(at.normal, found.geometric, incoming);
+  if ((material.slots & 1u << slot_normal) != 0u)
+    found.normal =
+        tilted_normal(point, at.normal, found.geometric, texels.normal.xyz, material.detail.x, incoming);
   found.metallic = clamp(material.emissive_metallic.w * texels.metallic_roughness.b, 0.0, 1.0);
   found.roughness = clamp(material.body.x * texels.metallic_roughness.g, 0.0, 1.0);
   found.transmission = clamp(material.body.y * texels.transmission.r, 0.0, 1.0);
-  found.diffuse = base * (1.0 - found.metallic);
-  found.specular = dielectric_share(material, found.metallic) + base * found.metallic;
-  found.eta = eta_of(material, meets_front(front, incoming));
+  found.diffuse = base.rgb * (1.0 - found.metallic);
+  found.specular = dielectric_share(material, found.metallic) + base.rgb * found.metallic;
+  found.eta = eta_of(material, meets_front(point.front, incoming));
   found.emission = material.emissive_metallic.rgb * texels.emissive.rgb;
+  found.alpha = (material.flags & material_blend) != 0u ? clamp(base.a, 0.0, 1.0) : 1.0;
   return found;
 }

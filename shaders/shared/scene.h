@@ -9,14 +9,24 @@ CRSH_SHARED_BEGIN
 // c.w: bits of the stored triangle's number.
 CRSH_CONST uint triangle_cull_back = 1u << 31;     ///< single-sided: eye, reflection and refraction rays pass its back
 CRSH_CONST uint triangle_transmissive = 1u << 30;  ///< a shadow ray is tinted, not blocked
-CRSH_CONST uint triangle_material_mask = (1u << 30) - 1u;
+CRSH_CONST uint triangle_sheer = 1u << 29;     ///< its alpha decides what of it is there (alphaMode MASK and BLEND)
+CRSH_CONST uint triangle_mirrored = 1u << 28;  ///< its instance mirrors: corners b and c are the stored c and b
+CRSH_CONST uint triangle_material_mask = (1u << 28) - 1u;
 
-/// One corner of a stored triangle, object space. 32 bytes.
+/// A stored triangle.
+struct StoredTriangle {
+  uvec3 vertices;
+  uint material;  ///< and the flags above but triangle_mirrored
+  vec3 uv_areas;  ///< twice the triangle's area in each set of texture coordinates
+  uint unused;
+};
+
+/// One corner of a stored triangle, object space.
 struct Vertex {
-  vec3 normal;  ///< unit; zero where the file has none (flat shading)
-  uint colour;  ///< COLOR_0, RGBA8, linear
-  vec2 uv0;
-  vec2 uv1;
+  vec3 normal;   ///< unit; zero where the file has none (flat shading)
+  uint tangent;  ///< as packed_tangent (lib/tangent.glsl); 0: none
+  uvec2 colour;  ///< COLOR_0, RGBA, linear, four halves
+  vec2 uv[3];
 };
 
 /// A drawn triangle's source: which instance, and which triangle of the stored index list.
@@ -36,7 +46,8 @@ struct Instance {
   vec4 normal2;
 };
 
-/// A texture as the shader samples it: one word of 16 bytes. Texels are RGBA8 words in up to four buffers (pages).
+/// A texture as the shader samples it: one word of 16 bytes. Texels are RGBA8 words in up to four buffers (pages). The
+/// smaller levels of a texture, each half the size of the one before, are the next textures of the table.
 struct Texture {
   uint first;  ///< index of its first texel in the page
   uint width;
@@ -45,16 +56,71 @@ struct Texture {
 };
 CRSH_CONST uint texture_wrap_s_shift = 2u;
 CRSH_CONST uint texture_wrap_t_shift = 4u;
-CRSH_CONST uint texture_nearest = 1u << 6;  ///< nearest texel, else bilinear
-CRSH_CONST uint texture_srgb = 1u << 7;     ///< RGB is decoded from sRGB before filtering
+CRSH_CONST uint texture_nearest = 1u << 6;           ///< seen large: nearest texel, else bilinear
+CRSH_CONST uint texture_srgb = 1u << 7;              ///< RGB is decoded from sRGB before filtering
+CRSH_CONST uint texture_nearest_in_level = 1u << 8;  ///< seen small: nearest texel of a level
+CRSH_CONST uint texture_nearest_level = 1u << 9;     ///< seen small: the nearest level, else two are mixed
+CRSH_CONST uint texture_levels_shift = 12u;          ///< how many levels there are below this one (4 bits)
+
+/// Where a material uses a texture: which, with which coordinates (KHR_texture_transform).
+struct TextureUse {
+  uint texture;
+  uint uv_set;
+  vec4 matrix;  ///< rows of what the coordinates are multiplied by
+  vec2 offset;  ///< and what is added then
+};
+
+// What a material may have textures for: bits of Material::slots, whose texture uses follow one another in this order.
+// C++: scene::Slot.
+CRSH_CONST uint slot_base_colour = 0u;
+CRSH_CONST uint slot_metallic_roughness = 1u;
+CRSH_CONST uint slot_emissive = 2u;
+CRSH_CONST uint slot_transmission = 3u;
+CRSH_CONST uint slot_normal = 4u;
+CRSH_CONST uint slot_occlusion = 5u;
+CRSH_CONST uint slot_specular = 6u;
+CRSH_CONST uint slot_specular_colour = 7u;
+CRSH_CONST uint slot_clearcoat = 8u;
+CRSH_CONST uint slot_clearcoat_roughness = 9u;
+CRSH_CONST uint slot_clearcoat_normal = 10u;
+CRSH_CONST uint slot_sheen_colour = 11u;
+CRSH_CONST uint slot_sheen_roughness = 12u;
+CRSH_CONST uint slot_iridescence = 13u;
+CRSH_CONST uint slot_iridescence_thickness = 14u;
+CRSH_CONST uint slot_anisotropy = 15u;
+CRSH_CONST uint slot_thickness = 16u;
+CRSH_CONST uint slot_diffuse_transmission = 17u;
+CRSH_CONST uint slot_diffuse_transmission_colour = 18u;
+CRSH_CONST uint slot_specular_glossiness = 19u;
+CRSH_CONST uint slot_count = 20u;
 
 /// KHR metallic-roughness material with transmission, ior and thickness.
 struct Material {
   vec4 base_colour;
   vec4 emissive_metallic;  ///< rgb: emissive factor times strength, cd/m2; w: metallic factor
-  vec4 body;       ///< roughness, transmission, ior, thickness (object space metres; 0: thin-walled, does not bend)
-  uvec4 textures;  ///< base colour, metallic-roughness, emissive, transmission: index << 1 | texcoord set, or `none`
-  uvec4 tint;      ///< xyz: -log2 of what one crossing lets through, 16.16 fixed point, saturated: opaque
+  vec4 body;    ///< roughness, transmission, ior, thickness (object space metres; 0: thin-walled, does not bend)
+  vec4 detail;  ///< normal scale, occlusion strength, alpha cutoff, unused
+  uint slots;   ///< bits: which textures it has
+  uint first_use;  ///< of the texture uses
+  uint lobes;      ///< number of its Lobes; none: the metallic-roughness BRDF alone
+  uint flags;
+  uvec4 tint;  ///< xyz: -log2 of what one crossing lets through, 16.16 fixed point, saturated: opaque
+};
+CRSH_CONST uint material_unlit = 1u;                ///< KHR_materials_unlit: base colour is emitted, nothing reflected
+CRSH_CONST uint material_mask = 2u;                 ///< alphaMode MASK
+CRSH_CONST uint material_blend = 4u;                ///< alphaMode BLEND
+CRSH_CONST uint material_specular_glossiness = 8u;  ///< KHR_materials_pbrSpecularGlossiness
+
+/// What a material has beyond Material (KHR_materials_*); the lobes of the BSDF that few have.
+struct Lobes {
+  vec4 specular;      ///< rgb: specularColorFactor; w: specularFactor
+  vec4 clearcoat;     ///< factor, roughness, normal scale; w: dispersion
+  vec4 sheen;         ///< rgb: colour; w: roughness
+  vec4 iridescence;   ///< factor, ior, least and largest thickness in nanometres
+  vec4 anisotropy;    ///< strength, cosine and sine of the rotation
+  vec4 attenuation;   ///< rgb: -ln(attenuationColor) / attenuationDistance, 1/m
+  vec4 diffuse_transmission;  ///< rgb: colour; w: factor
+  vec4 glossiness;            ///< rgb: specular factor; w: glossiness factor
 };
 
 CRSH_CONST uint light_point = 0u;

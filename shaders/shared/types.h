@@ -9,6 +9,7 @@
 namespace crsh::shared {
 using glm::mat4;
 using glm::uvec2;
+using glm::uvec3;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;

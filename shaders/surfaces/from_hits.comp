@@ -16,14 +16,16 @@ layout(push_constant, scalar) uniform Push {
   uint first_parent;  // surface of the batch's slot 0
   uint first_out;
   uint turn;  // which closest-hit kind it is
+  float cone_spread;  // how much wider a pixel's cone gets in a metre
 };
 layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };
 layout(binding = 1, scalar) readonly buffer Slots { uint slot_of[]; };
 layout(binding = 2, scalar) readonly buffer Hits { Hit hits[]; };
 layout(binding = 3, scalar) readonly buffer ParentDiffuses { vec4 parent_diffuse[]; };
 layout(binding = 4, scalar) readonly buffer ParentSpeculars { vec4 parent_specular[]; };
+layout(binding = 5, scalar) readonly buffer ParentFootprints { float parent_footprint[]; };
 #include "scene/surface.glsl"
-#define SURFACES_BINDING 5
+#define SURFACES_BINDING 6
 #include "surfaces/surfaces.glsl"
 
 void main() {
@@ -38,11 +40,13 @@ void main() {
     store_nothing(first_out + i, ray.direction.xyz, pixel, path);
     return;
   }
+  float footprint = parent_footprint[parent] + cone_spread * uintBitsToFloat(hits[first_ray + i].words.x);
   Corners at = corners_at(triangle);
   vec3 weights = barycentrics(ray.origin.xyz, ray.direction.xyz, at.a, at.b, at.c);
+  Point point = Point(triangle, point_at(weights, at.a, at.b, at.c), weights, front_normal(at.a, at.b, at.c),
+                      doubled_area(at.a, at.b, at.c), footprint);
   Material material = material_of(triangle);
-  Surface found = surface_of(material, attributes_at(triangle, weights), point_at(weights, at.a, at.b, at.c),
-                             front_normal(at.a, at.b, at.c), ray.direction.xyz);
+  Surface found = surface_of(material, attributes_at(triangle, weights), point, ray.direction.xyz);
   store_surface(first_out + i, triangle, found, ray.direction.xyz, pixel, path,
-                dielectric_share(material, found.metallic));
+                dielectric_share(material, found.metallic), footprint);
 }

@@ -16,6 +16,8 @@ layout(push_constant, scalar) uniform Push {
   uvec2 size;
   uint first;  // pixel of this order that becomes surface 0
   uint count;
+  float cone_spread;  // how much wider a pixel's cone gets in a metre
+  float cone_width;   // and how wide it is at the eye, metres
 };
 layout(binding = 0, rgba32f) readonly uniform image2D positions;
 layout(binding = 1, rgba32f) readonly uniform image2D normals;
@@ -26,22 +28,19 @@ layout(binding = 4, r32ui) readonly uniform uimage2D ids;
 #define SURFACES_BINDING 5
 #include "surfaces/surfaces.glsl"
 
-/// The material without the textures that the attachments already hold.
-Material emissive_only(Material material) {
-  material.textures.xyw = uvec3(none);
-  return material;
-}
-
 /// Fills in, from the triangle, what the attachments do not have.
-void complete(inout Surface found, uint triangle, Material material, vec3 incoming) {
+void complete(inout Surface found, uint triangle, Material material, vec3 incoming, float footprint) {
   Corners corners = corners_at(triangle);
   vec3 front = front_normal(corners.a, corners.b, corners.c);
   found.geometric = turned_normal(front, incoming);
   found.eta = eta_of(material, meets_front(front, incoming));
   found.emission = material.emissive_metallic.rgb;
-  if (material.textures.z != none) {
-    Attributes at = attributes_at(triangle, weights_at(found.position, corners.a, corners.b, corners.c));
-    found.emission *= texels_at(emissive_only(material), at).emissive.rgb;
+  if ((material.slots & 1u << slot_emissive) != 0u) {
+    vec3 weights = weights_at(found.position, corners.a, corners.b, corners.c);
+    Point point =
+        Point(triangle, found.position, weights, front, doubled_area(corners.a, corners.b, corners.c), footprint);
+    found.emission *=
+        texels_at(material, 1u << slot_emissive, attributes_at(triangle, weights), point, incoming).emissive.rgb;
   }
 }
 
@@ -68,6 +67,7 @@ void main() {
   found.specular = imageLoad(speculars, at).rgb;
   found.roughness = position.w;
   found.transmission = normal.w;
-  complete(found, id - 1u, material, incoming);
-  store_surface(i, id - 1u, found, incoming, number, 1u, dielectric_share(material, found.metallic));
+  float footprint = cone_width + cone_spread * length(position.xyz - eye);
+  complete(found, id - 1u, material, incoming, footprint);
+  store_surface(i, id - 1u, found, incoming, number, 1u, dielectric_share(material, found.metallic), footprint);
 }

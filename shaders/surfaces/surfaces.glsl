@@ -8,8 +8,10 @@ layout(binding = SURFACES_BINDING + 3, scalar) writeonly buffer Incomings { vec4
 layout(binding = SURFACES_BINDING + 4, scalar) writeonly buffer Diffuses { vec4 out_diffuse[]; };
 layout(binding = SURFACES_BINDING + 5, scalar) writeonly buffer Speculars { vec4 out_specular[]; };
 layout(binding = SURFACES_BINDING + 6, scalar) writeonly buffer Emissions { vec4 out_emission[]; };
+layout(binding = SURFACES_BINDING + 7, scalar) writeonly buffer Footprints { float out_footprint[]; };
 
-void store_surface(uint i, uint triangle, Surface found, vec3 incoming, uint pixel, uint path, float f0_share) {
+void store_surface(uint i, uint triangle, Surface found, vec3 incoming, uint pixel, uint path, float f0_share,
+                   float footprint) {
   out_position[i] = vec4(found.position, uintBitsToFloat(triangle));
   out_normal[i] = vec4(found.normal, found.transmission);
   out_geometric[i] = vec4(found.geometric, found.roughness);
@@ -17,6 +19,7 @@ void store_surface(uint i, uint triangle, Surface found, vec3 incoming, uint pix
   out_diffuse[i] = vec4(found.diffuse, uintBitsToFloat(pixel));
   out_specular[i] = vec4(found.specular, uintBitsToFloat(path));
   out_emission[i] = vec4(found.emission, f0_share);
+  out_footprint[i] = footprint;
 }
 
 /// Writes a surface for where nothing was met: no rays start there.
@@ -28,4 +31,5 @@ void store_nothing(uint i, vec3 incoming, uint pixel, uint path) {
   out_diffuse[i] = vec4(vec3(0.0), uintBitsToFloat(pixel));
   out_specular[i] = vec4(vec3(0.0), uintBitsToFloat(path));
   out_emission[i] = vec4(vec3(0.0), -1.0);
+  out_footprint[i] = 0.0;
 }

@@ -21,13 +21,15 @@ struct Weights {
   }
 };
 
-uint32_t mixed_colour(const Weights& w, uint32_t x, uint32_t y, uint32_t z) {
-  uint32_t colour = 0;
-  for (uint32_t shift = 0; shift < 32; shift += 8) {
-    const double value = w.a * (x >> shift & 255) + w.b * (y >> shift & 255) + w.c * (z >> shift & 255);
-    colour |= static_cast<uint32_t>(std::lround(value)) << shift;
-  }
-  return colour;
+scene::PackedColour mixed_colour(const Weights& w, scene::PackedColour x, scene::PackedColour y,
+                                 scene::PackedColour z) {
+  return scene::packed_colour(
+      w.of(scene::unpacked_colour(x), scene::unpacked_colour(y), scene::unpacked_colour(z)));
+}
+
+glm::vec4 mixed_tangent(const Weights& w, const glm::vec4& x, const glm::vec4& y, const glm::vec4& z) {
+  const glm::vec3 sum = w.of(glm::vec3(x), glm::vec3(y), glm::vec3(z));
+  return {glm::dot(sum, sum) > 0 ? glm::normalize(sum) : glm::vec3(x), x.w};
 }
 
 void add_vertex(const scene::Mesh& from, const glm::uvec3& t, const Weights& w, scene::Mesh& to) {
@@ -35,8 +37,10 @@ void add_vertex(const scene::Mesh& from, const glm::uvec3& t, const Weights& w, 
   const glm::vec3 normal = mixed(from.normals);
   to.positions.push_back(mixed(from.positions));
   to.normals.push_back(glm::dot(normal, normal) > 0 ? glm::normalize(normal) : normal);
-  to.uv0.push_back(mixed(from.uv0));
-  to.uv1.push_back(mixed(from.uv1));
+  for (size_t set = 0; set < scene::uv_sets; ++set)
+    if (!from.uv[set].empty()) to.uv[set].push_back(mixed(from.uv[set]));
+  if (!from.tangents.empty())
+    to.tangents.push_back(mixed_tangent(w, from.tangents[t.x], from.tangents[t.y], from.tangents[t.z]));
   to.colours.push_back(mixed_colour(w, from.colours[t.x], from.colours[t.y], from.colours[t.z]));
 }
 

@@ -96,7 +96,8 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
     const uint32_t count = children.end - next.count;
     if (next.count == 0)
       surfaces::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
-    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces},
+    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces,
+                                      s.cone_spread},
                         next, s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }
@@ -136,6 +137,7 @@ void render_sample(Renderer::State& s, const raster::CameraView& view, const Ren
   const uint32_t pixels = s.size.width * s.size.height;
   const double share = double(std::min(s.portion, pixels)) / (double(pixels) * s.options.samples);
   double done = double(begun) / s.options.samples;
+  s.cone_spread = raster::pixel_cone(view, s.size).spread;
   s.recorder.stage(Stage::raster);
   const glm::vec2 jitter = raster::jitter(s.film.samples, s.options.seed);
   raster::rasterise(s.recorder, {s.gpu_scene, view, s.size, jitter}, s.gbuffer);

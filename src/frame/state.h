@@ -64,6 +64,7 @@ struct Renderer::State {
   std::optional<uint32_t> animation;
   raster::ImageSize size;
   std::optional<ViewOption> chosen_view;  ///< where no camera was given
+  float cone_spread = 0;                  ///< raster::PixelCone's, of the frame under way
   scene::LightRig lights;
   scene::GpuScene gpu_scene;
   trace::Structures structures;

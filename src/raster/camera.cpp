@@ -181,6 +181,11 @@ float aspect_of(ImageSize size) { return float(size.width) / float(size.height);
 
 }  // namespace
 
+PixelCone pixel_cone(const CameraView& view, ImageSize size) {
+  const float pixel = 2 * view.half_height / float(size.height);
+  return view.orthographic ? PixelCone{pixel, 0} : PixelCone{0, pixel};
+}
+
 ImageSize image_size(const scene::Scene& scene, const RenderOptions& options) {
   if (options.width) return {options.width, options.height};
   const std::optional<uint32_t> camera = chosen_camera(scene, options);

@@ -29,6 +29,13 @@ struct CameraView {
   [[nodiscard]] glm::mat4 world_to_ndc() const;
 };
 
+/// The cone of a pixel, by which textures are filtered: how wide it is at the eye, and how much wider it gets in a
+/// metre.
+struct PixelCone {
+  float width = 0, spread = 0;
+};
+[[nodiscard]] PixelCone pixel_cone(const CameraView& view, ImageSize size);
+
 /// The image's size: as the options say, else as wide as the camera's aspect asks for (4:3 where it has none).
 [[nodiscard]] ImageSize image_size(const scene::Scene& scene, const RenderOptions& options);
 

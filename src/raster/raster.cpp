@@ -25,18 +25,21 @@ struct Push {
   float near_plane;
   glm::vec2 shift;
   float far_plane;
+  float cone_spread, cone_width;
 };
 
 /// The image is moved against the sample's offset: what lies at a pixel's centre plus the jitter is drawn at the
 /// centre.
 Push push_of(const In& in) {
   const CameraView& view = in.view;
+  const PixelCone cone = pixel_cone(view, in.size);
   const glm::vec2 shift = -2.0f * in.jitter / glm::vec2(float(in.size.width), float(in.size.height));
   return {view.eye,     view.orthographic ? 1.0f : 0.0f,
           view.right,   1 / view.half_width,
           view.up,      1 / view.half_height,
           view.forward, view.near_plane,
-          shift,        view.far_plane};
+          shift,        view.far_plane,
+          cone.spread,  cone.width};
 }
 
 void require_size(const gpu::Device& device, ImageSize size) {

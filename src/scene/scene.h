@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "scene/material.h"
+#include "scene/packed.h"
+
 namespace crsh::scene {
 
 /// Centre and radius in metres.
@@ -31,43 +34,18 @@ struct Bounds {
   }
 };
 
-/// Eight bits a channel, RGBA, rows from the top.
-struct Image {
-  uint32_t width = 0, height = 0;
-  std::vector<uint8_t> rgba;
-};
+/// How many sets of texture coordinates a vertex has.
+inline constexpr size_t uv_sets = 3;
 
-enum class Wrap : uint32_t { repeat = 0, clamp = 1, mirror = 2 };
-
-struct Texture {
-  uint32_t image = 0;
-  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
-  bool nearest = false;
-};
-
-/// A texture, and the set of coordinates with which it is used.
-struct TextureUse {
-  std::optional<uint32_t> texture;
-  uint32_t texcoord = 0;  ///< 0 or 1
-};
-
-struct Material {
-  std::string name;
-  glm::vec4 base_colour{1};
-  glm::vec3 emissive{0};  ///< factor times KHR_materials_emissive_strength
-  float metallic = 1, roughness = 1;
-  float transmission = 0, ior = 1.5f, thickness = 0;
-  bool double_sided = false;
-  TextureUse base_colour_texture, metallic_roughness_texture, emissive_texture, transmission_texture;
-};
-
-/// A glTF mesh, with all its triangle primitives in one. Each attribute has as many elements as `positions`.
+/// A glTF mesh, with all its triangle primitives in one. Each attribute has as many elements as `positions`, but those
+/// that are empty because no material of the mesh needs them.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;  ///< unit; zero, for flat shading, where the file has none
-  std::vector<glm::vec2> uv0, uv1;
-  std::vector<uint32_t> colours;  ///< RGBA8, 0xFFFFFFFF where the file has none
+  std::vector<glm::vec3> normals;   ///< unit; zero, for flat shading, where the file has none
+  std::vector<glm::vec4> tangents;  ///< unit; w: 1 or -1, the bitangent's sign; or empty
+  std::array<std::vector<glm::vec2>, uv_sets> uv;  ///< or empty: zeros
+  std::vector<PackedColour> colours;               ///< white where the file has none
   std::vector<glm::uvec3> triangles;
   std::vector<uint32_t> materials;  ///< a triangle: index into Scene::materials
   Sphere sphere;                    ///< smallest enclosing sphere of the corners (Gärtner 1999)
@@ -143,6 +121,7 @@ struct Pose {
 struct Scene {
   std::filesystem::path path;
   std::string name;  ///< of the chosen glTF scene
+  std::array<uint32_t, uv_sets> texcoords = {0, 1, 2};  ///< the N of the TEXCOORD_N that Mesh::uv are
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;  ///< the last one is glTF's default material

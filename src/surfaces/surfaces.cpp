@@ -14,11 +14,13 @@ struct RasterPush {
   uint32_t tiles;
   glm::uvec2 size;
   uint32_t first, count;
+  float cone_spread, cone_width;
 };
 
 /// As surfaces/from_hits.comp declares it.
 struct HitsPush {
   uint32_t first_ray, count, slots, first_parent, first_out, turn;
+  float cone_spread;
 };
 
 constexpr uint64_t word_bytes = sizeof(glm::vec4);
@@ -33,7 +35,7 @@ std::vector<gpu::Argument> with_outputs(std::vector<gpu::Argument> read, const S
   const gpu::Argument outputs[] = {{"out_position", surfaces.position},   {"out_normal", surfaces.normal},
                                    {"out_geometric", surfaces.geometric}, {"out_incoming", surfaces.incoming},
                                    {"out_diffuse", surfaces.diffuse},     {"out_specular", surfaces.specular},
-                                   {"out_emission", generation.emission}};
+                                   {"out_emission", generation.emission}, {"out_footprint", surfaces.footprint}};
   read.insert(read.end(), std::begin(outputs), std::end(outputs));
   return read;
 }
@@ -45,14 +47,16 @@ void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, cons
   const ChildRun& run = children.of_kind[kind];
   clear_direct(recorder, generation, run.first_child, run.count);
   const HitsPush push{run.first_ray,          run.count,       children.surfaces,
-                      children.first_surface, run.first_child, ray_kinds[kind].turn};
+                      children.first_surface, run.first_child, ray_kinds[kind].turn,
+                      in.cone_spread};
   recorder.dispatch("surfaces/from_hits", push.count, push,
                     with_outputs({in.scene.tables,
                                   {"rays", in.rays},
                                   {"slot_of", in.slots},
                                   {"hits", in.hits},
                                   {"parent_diffuse", in.parents.diffuse},
-                                  {"parent_specular", in.parents.specular}},
+                                  {"parent_specular", in.parents.specular},
+                                  {"parent_footprint", in.parents.footprint}},
                                  surfaces, generation));
 }
 
@@ -66,6 +70,7 @@ void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation
   primitives::grow(recorder, surfaces.incoming, bytes, "incoming directions");
   primitives::grow(recorder, surfaces.diffuse, bytes, "diffuse properties");
   primitives::grow(recorder, surfaces.specular, bytes, "specular properties");
+  primitives::grow(recorder, surfaces.footprint, count * uint64_t(sizeof(float)), "footprints");
   primitives::grow(recorder, generation.emission, bytes, "emission");
   primitives::grow(recorder, generation.direct, bytes, "direct light");
 }
@@ -75,13 +80,16 @@ void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surf
   surfaces.count = generation.count = in.count;
   clear_direct(recorder, generation, 0, in.count);
   const raster::CameraView& view = in.view;
+  const raster::PixelCone cone = raster::pixel_cone(view, in.size);
   const RasterPush push{view.eye,
                         view.orthographic ? 1.0f : 0.0f,
                         view.forward,
                         in.order == RayOrder::tiles ? 1u : 0u,
                         {in.size.width, in.size.height},
                         in.first,
-                        in.count};
+                        in.count,
+                        cone.spread,
+                        cone.width};
   const raster::GBuffer& g = in.gbuffer;
   recorder.dispatch("surfaces/from_raster", in.count, push,
                     with_outputs({in.scene.tables,

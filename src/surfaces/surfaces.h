@@ -14,7 +14,7 @@
 
 namespace crsh::surfaces {
 
-/// Six buffers of vec4, one element a surface; the paper's position, normal, diffuse and specular, and what reflection
+/// Six buffers of vec4 and one of floats, one element a surface; the paper's position, normal, diffuse and specular, and what reflection
 /// and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel and path. Shaders
 /// bind them in this order.
 struct Surfaces {
@@ -25,6 +25,7 @@ struct Surfaces {
   gpu::Buffer incoming;
   gpu::Buffer diffuse;   ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
   gpu::Buffer specular;  ///< rgb: F0; w: bits of the path: 1, then shared::path_bits a bounce: RayKind::turn
+  gpu::Buffer footprint;  ///< float: how wide the pixel's cone is there, across the ray that came, metres
   uint32_t count = 0;
 };
 
@@ -77,6 +78,7 @@ struct FromHitsIn {
   const gpu::Buffer& hits;   ///< shared::Hit a ray, in creation order
   const Children& children;
   const Surfaces& parents;
+  float cone_spread = 0;  ///< raster::PixelCone's
 };
 
 /// Generation k + 1: where the closest-hit rays of one batch hit. `surfaces` must have room (reserve) for

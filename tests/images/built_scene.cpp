@@ -27,9 +27,9 @@ scene::Scene built_scene(const Triangles& triangles, std::vector<scene::Material
   mesh.triangles = triangles.triangles;
   mesh.materials = triangles.materials;
   mesh.normals.assign(corners, glm::vec3(0));
-  mesh.uv0.assign(corners, glm::vec2(0));
-  mesh.uv1.assign(corners, glm::vec2(0));
-  mesh.colours.assign(corners, 0xFFFFFFFFu);
+  mesh.uv[0].assign(corners, glm::vec2(0));
+  mesh.uv[1].assign(corners, glm::vec2(0));
+  mesh.colours.assign(corners, scene::white);
   scene::fill_bounds(mesh);
 
   scene::Scene scene;

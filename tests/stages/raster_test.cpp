@@ -184,11 +184,11 @@ TEST_CASE(
   material.emissive = glm::vec3(3, 2, 1);
   small.scene.images = {{1, 1, {255, 128, 64, 255}}, {1, 1, {255, 255, 0, 255}}};
   small.scene.textures = {{0, {}, {}, true}, {1}};
-  material.metallic_roughness_texture.texture = 0;
-  material.emissive_texture.texture = 1;
+  material.texture(scene::Slot::metallic_roughness).texture = 0;
+  material.texture(scene::Slot::emissive).texture = 1;
   small.material(material);
   small.quad({-2, -2}, {2, 2}, 0);
-  small.scene.meshes[0].colours.assign(6, 0xFF0000FFu);  // red
+  small.scene.meshes[0].colours.assign(6, scene::packed_colour({1, 0, 0, 1}));
   small.instance(0);
   const Seen seen = see(small, front_view(false, 0.1f, {2, 2}), {2, 2});
   const float metallic = 0.5f * 64 / 255, f0 = 0.04f * (1 - metallic);
@@ -239,7 +239,7 @@ TEST_CASE("the texture sampler wraps, filters and decodes as its twin does") {
          {std::pair(Wrap::repeat, Wrap::mirror), {Wrap::mirror, Wrap::clamp}, {Wrap::clamp, Wrap::repeat}}) {
       SmallScene small;
       scene::Material material = test::matt(glm::vec3(1));
-      material.base_colour_texture = {0u, 0};
+      material.texture(scene::Slot::base_colour) = {0u, 0};
       small.scene.images = {image};
       small.scene.textures = {{0, s, t, nearest}};
       small.material(material);

@@ -37,8 +37,8 @@ struct SmallScene {
     mesh.positions = corners;
     for (uint32_t i = 0; i + 2 < corners.size(); i += 3) mesh.triangles.emplace_back(i, i + 1, i + 2);
     mesh.normals.assign(corners.size(), normal);
-    for (const glm::vec3& p : corners) mesh.uv0.emplace_back(p.x, p.y), mesh.uv1.emplace_back(p.y, p.x);
-    mesh.colours.assign(corners.size(), 0xFFFFFFFFu);
+    for (const glm::vec3& p : corners) mesh.uv[0].emplace_back(p.x, p.y), mesh.uv[1].emplace_back(p.y, p.x);
+    mesh.colours.assign(corners.size(), scene::white);
     mesh.materials.assign(mesh.triangles.size(), material_index);
     scene::fill_bounds(mesh);
     scene.meshes.push_back(std::move(mesh));

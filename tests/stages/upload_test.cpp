@@ -117,7 +117,7 @@ TEST_CASE("pages are cut to what a texel buffer holds, and more drawn triangles 
   gpu::Device device(request);
   SmallScene small;
   scene::Material textured = test::matt(glm::vec3(1));
-  textured.base_colour_texture.texture = 0;
+  textured.texture(scene::Slot::base_colour).texture = 0;
   small.scene.images.push_back({8, 8, std::vector<uint8_t>(8 * 8 * 4, 7)});
   small.scene.textures.push_back({.image = 0});
   const uint32_t quad = small.quad(glm::vec2(0), glm::vec2(1), small.material(textured));
@@ -194,7 +194,7 @@ TEST_CASE("tint takes the mean of the base colour's texture in linear light") {
   scene.textures.emplace_back();
   scene::Material glass = test::matt(glm::vec3(1));
   glass.transmission = 1;
-  glass.base_colour_texture.texture = 0;
+  glass.texture(scene::Slot::base_colour).texture = 0;
   const glm::uvec4 tint = scene::tint_of(scene, glass);
   const double green = (1 + std::pow((188 / 255.0 + 0.055) / 1.055, 2.4)) / 2;
   CHECK(tint.r == uint32_t(std::lround(-std::log2(0.96 / 2) * 65536)));
@@ -220,15 +220,35 @@ TEST_CASE("images are packed into pages, unused ones left out, and halved only w
     return scene::Image{w, h, std::vector<uint8_t>(size_t(w) * h * 4, value)};
   };
   const std::vector<scene::Image> images = {flat(8, 8, 1), flat(4, 4, 2), flat(64, 64, 3), flat(8, 8, 4)};
-  const scene::TexelPages roomy = scene::pack_texels(images, {true, true, false, true}, 100);
+  const std::vector<scene::Picture> some = {{0}, {1}, {3}}, all = {{0}, {1}, {2}, {3}};
+  const scene::TexelPages roomy = scene::pack_texels(images, some, 100);
   CHECK(roomy.notes.empty());
-  CHECK(!roomy.placements[2]);
-  CHECK(roomy.placements[0]->page != roomy.placements[3]->page);
-  CHECK(roomy.pages[roomy.placements[1]->page][roomy.placements[1]->first + 15] == 0x02020202u);
-  const scene::TexelPages tight = scene::pack_texels(images, {true, true, true, true}, 100);
+  REQUIRE(roomy.placements.size() == 3);
+  CHECK(roomy.placements[0][0].page != roomy.placements[2][0].page);
+  CHECK(roomy.pages[roomy.placements[1][0].page][roomy.placements[1][0].first + 15] == 0x02020202u);
+  const scene::TexelPages tight = scene::pack_texels(images, all, 100);
   CHECK(tight.notes.size() == 1);
-  CHECK(tight.placements[2]->width == 8);
-  CHECK(tight.pages[tight.placements[2]->page][tight.placements[2]->first] == 0x03030303u);
+  CHECK(tight.placements[2][0].width == 8);
+  CHECK(tight.pages[tight.placements[2][0].page][tight.placements[2][0].first] == 0x03030303u);
+}
+
+TEST_CASE("a picture with mip levels has them behind it, each the mean in linear light of what it covers") {
+  scene::Image image{3, 2, {}};
+  for (const uint8_t grey : {0, 255, 255, 255, 0, 255}) image.rgba.insert(image.rgba.end(), {grey, grey, grey, grey});
+  const std::vector<scene::Image> images = {image};
+  const std::vector<scene::Picture> pictures = {{0, true, true}, {0, false, true}};
+  const scene::TexelPages pages = scene::pack_texels(images, pictures, 100);
+  for (size_t i = 0; i < 2; ++i) {
+    const std::vector<scene::Placement>& levels = pages.placements[i];
+    REQUIRE(levels.size() == 2);
+    CHECK(levels[0].width == 3);
+    CHECK(levels[1].width == 1);
+    CHECK(levels[1].height == 1);
+    CHECK(levels[1].first == levels[0].first + 6);
+    const uint32_t mean = pages.pages[levels[1].page][levels[1].first];
+    CHECK((mean & 255) == (i == 0 ? 213 : 170));  // two thirds of white: in sRGB, and linear
+    CHECK(mean >> 24 == 170);                     // alpha is linear in both
+  }
 }
 
 }  // namespace

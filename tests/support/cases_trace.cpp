@@ -28,9 +28,9 @@ scene::Mesh mesh_of(const std::vector<Triangle>& triangles, uint32_t material) {
   }
   const size_t corners = mesh.positions.size();
   mesh.normals.resize(corners, glm::vec3(0));
-  mesh.uv0.resize(corners, glm::vec2(0));
-  mesh.uv1.resize(corners, glm::vec2(0));
-  mesh.colours.resize(corners, 0xFFFFFFFFu);
+  mesh.uv[0].resize(corners, glm::vec2(0));
+  mesh.uv[1].resize(corners, glm::vec2(0));
+  mesh.colours.resize(corners, scene::white);
   mesh.materials.resize(triangles.size(), material);
   scene::fill_bounds(mesh);
   return mesh;

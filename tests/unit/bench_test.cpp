@@ -93,9 +93,9 @@ scene::Scene one_triangle() {
   scene::Mesh mesh;
   mesh.positions = {{0, 0, 0}, {3, 0, 0}, {0, 6, 1}};
   mesh.normals.assign(3, {0, 0, 1});
-  mesh.uv0 = {{0, 0}, {1, 0}, {0, 1}};
-  mesh.uv1.assign(3, {0, 0});
-  mesh.colours.assign(3, 0xFF8040FFu);
+  mesh.uv[0] = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.uv[1].assign(3, {0, 0});
+  mesh.colours.assign(3, scene::packed_colour({1, 0.25f, 0.5f, 1}));
   mesh.triangles = {{0, 1, 2}};
   mesh.materials = {5};
   scene.meshes = {mesh};
@@ -120,7 +120,7 @@ TEST_CASE("a subdivided mesh has the same surface, in n x n pieces each") {
   CHECK(mesh.triangles.size() == 9);
   CHECK(mesh.materials == std::vector<uint32_t>(9, 5));
   CHECK(area(mesh) == doctest::Approx(area(scene.meshes[0])));
-  CHECK(mesh.colours == std::vector<uint32_t>(10, 0xFF8040FFu));
+  CHECK(mesh.colours == std::vector(10, scene::packed_colour({1, 0.25f, 0.5f, 1})));
   CHECK(mesh.sphere.radius == doctest::Approx(std::sqrt(9 + 36 + 1) / 2).epsilon(1e-3));
   CHECK(subdivided(scene, 1).meshes[0].triangles == scene.meshes[0].triangles);
 }

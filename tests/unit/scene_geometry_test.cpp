@@ -75,7 +75,7 @@ TEST_CASE("a triangle is the same from embedded data, a file beside it, and a GL
     CHECK(scene.triangle_count() == 1);
     CHECK(scene.meshes.at(0).positions.at(1) == glm::vec3(1, 0, 0));
     CHECK(scene.meshes[0].normals.at(0) == glm::vec3(0));
-    CHECK(scene.meshes[0].colours.at(2) == 0xFFFFFFFFu);
+    CHECK(scene.meshes[0].colours.at(2) == scene::white);
     CHECK(scene.meshes[0].materials.at(0) == 0);
     CHECK(scene.materials.size() == 1);
     CHECK(scene.unsupported.empty());
@@ -174,21 +174,24 @@ TEST_CASE("sparse indices of triangles work without data below them") {
   CHECK(corners(file.load().meshes.at(0)) == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
 }
 
-TEST_CASE("colours of every type become RGBA8") {
-  const std::string tight = "";
+TEST_CASE("colours of every type become halves, and dark ones are kept") {
+  const auto first = [](const GltfText& file) {
+    return scene::unpacked_colour(GltfText(file).load().meshes.at(0).colours.at(0));
+  };
+  const auto near = [](glm::vec4 a, glm::vec4 b) { return glm::all(glm::lessThanEqual(glm::abs(a - b), b / 1000.0f)); };
   const std::string floats = test::bytes_of<float>({1, 0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 0});
-  CHECK(with_attribute("COLOR_0", "VEC3", 5126, floats).load().meshes.at(0).colours.at(0) == 0xFF0080FFu);
+  CHECK(near(first(with_attribute("COLOR_0", "VEC3", 5126, floats)), {1, 0.5f, 0, 1}));
   const std::string bytes = test::bytes_of<uint8_t>({255, 128, 0, 64, 1, 2, 3, 4, 5, 6, 7, 8});
-  CHECK(with_attribute("COLOR_0", "VEC4", 5121, bytes, R"(,"normalized":true)").load().meshes.at(0).colours.at(0) ==
-        0x400080FFu);
-  const std::string shorts = test::bytes_of<uint16_t>({65535, 32768, 0, 16448, 0, 0, 0, 0, 0, 0, 0, 0});
-  CHECK(with_attribute("COLOR_0", "VEC4", 5123, shorts, R"(,"normalized":true)").load().meshes.at(0).colours.at(0) ==
-        0x400080FFu);
+  CHECK(near(first(with_attribute("COLOR_0", "VEC4", 5121, bytes, R"(,"normalized":true)")),
+             {1, 128 / 255.0f, 0, 64 / 255.0f}));
+  const std::string shorts = test::bytes_of<uint16_t>({65535, 32768, 33, 16448, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(near(first(with_attribute("COLOR_0", "VEC4", 5123, shorts, R"(,"normalized":true)")),
+             {1, 32768 / 65535.0f, 33 / 65535.0f, 16448 / 65535.0f}));
 }
 
 TEST_CASE("normalised and plain integers are decoded as the specification says") {
   const std::string uvs = test::bytes_of<uint8_t>({0, 255, 51, 0, 0, 0});
-  CHECK(with_attribute("TEXCOORD_1", "VEC2", 5121, uvs, R"(,"normalized":true)").load().meshes.at(0).uv1 ==
+  CHECK(with_attribute("TEXCOORD_1", "VEC2", 5121, uvs, R"(,"normalized":true)").load().meshes.at(0).uv[1] ==
         std::vector<glm::vec2>{{0, 1}, {0.2f, 0}, {0, 0}});
   const std::string normals = test::bytes_of<int8_t>({0, 0, 127, 0, 0, -128, 0, 0, 0});
   CHECK(with_attribute("NORMAL", "VEC3", 5120, normals, R"(,"normalized":true)").load().meshes.at(0).normals ==

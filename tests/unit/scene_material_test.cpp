@@ -70,16 +70,16 @@ TEST_CASE("textures bring their image, sampler and coordinates; one image is dec
   CHECK(scene.images[0].height == 1);
   CHECK(scene.images[0].rgba == std::vector<uint8_t>{255, 0, 0, 255, 0, 0, 255, 128});
   CHECK(scene.textures.size() == 2);
-  CHECK(m.base_colour_texture.texcoord == 1);
-  const scene::Texture& base = scene.textures.at(m.base_colour_texture.texture.value());
+  CHECK(m.texture(scene::Slot::base_colour).texcoord == 1);
+  const scene::Texture& base = scene.textures.at(m.texture(scene::Slot::base_colour).texture.value());
   CHECK(base.wrap_s == scene::Wrap::clamp);
   CHECK(base.wrap_t == scene::Wrap::mirror);
   CHECK(base.nearest);
-  const scene::Texture& emissive = scene.textures.at(m.emissive_texture.texture.value());
+  const scene::Texture& emissive = scene.textures.at(m.texture(scene::Slot::emissive).texture.value());
   CHECK(emissive.wrap_s == scene::Wrap::repeat);
   CHECK_FALSE(emissive.nearest);
-  CHECK(m.metallic_roughness_texture.texture == m.base_colour_texture.texture);
-  CHECK_FALSE(m.transmission_texture.texture.has_value());
+  CHECK(m.texture(scene::Slot::metallic_roughness).texture == m.texture(scene::Slot::base_colour).texture);
+  CHECK_FALSE(m.texture(scene::Slot::transmission).texture.has_value());
 }
 
 TEST_CASE("a texture whose image is missing or broken is left out with a note") {
@@ -87,7 +87,7 @@ TEST_CASE("a texture whose image is missing or broken is left out with a note") 
   for (const std::string uri :
        {"none.png", "data:image/png;base64,AAAA", "https://example.com/a.png", "data:image/png;base64,!"}) {
     const scene::Scene scene = with_material(material, textures + R"("images":[{"uri":")" + uri + R"("}])").load();
-    CHECK_FALSE(scene.materials.at(0).emissive_texture.texture.has_value());
+    CHECK_FALSE(scene.materials.at(0).texture(scene::Slot::emissive).texture.has_value());
     REQUIRE(scene.unsupported.size() == 1);
     CHECK(scene.unsupported[0].find("drawn without it") != std::string::npos);
   }

@@ -12,7 +12,9 @@ namespace crsh::scene {
 
 struct DeviceMaterials {
   std::vector<shared::Material> materials;  ///< as in Scene::materials
-  std::vector<shared::Texture> textures;    ///< one for each glTF texture and decoding (sRGB or linear)
+  std::vector<shared::TextureUse> uses;     ///< of their textures, in the order of the slots
+  std::vector<shared::Lobes> lobes;         ///< of the materials that have any
+  std::vector<shared::Texture> textures;    ///< for each glTF texture and decoding (sRGB or linear) its levels
   TexelPages texels;
 };
 

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,20 +13,27 @@ namespace crsh::scene {
 
 inline constexpr size_t texel_page_count = 4;
 
-/// Where an image's texels are: rows from the top, a word of RGBA8 each.
+/// An image as it is packed: alone, or with all its smaller levels behind it.
+struct Picture {
+  uint32_t image = 0;
+  bool srgb = false;  ///< how its levels are averaged
+  bool mips = false;
+  auto operator<=>(const Picture&) const = default;
+};
+
+/// Where a level's texels are: rows from the top, a word of RGBA8 each.
 struct Placement {
   uint32_t page = 0, first = 0, width = 1, height = 1;
 };
 
 struct TexelPages {
   std::array<std::vector<uint32_t>, texel_page_count> pages;
-  std::vector<std::optional<Placement>> placements;  ///< by image; none where it is not used
-  std::vector<std::string> notes;                    ///< what had to be made smaller, a line each
+  std::vector<std::vector<Placement>> placements;  ///< of each picture: its levels, the largest first
+  std::vector<std::string> notes;                  ///< what had to be made smaller, a line each
 };
 
-/// Packs the used images into pages of at most `page_texels`; where they don't fit, the largest are halved until they
-/// do.
-[[nodiscard]] TexelPages pack_texels(const std::vector<Image>& images, const std::vector<bool>& used,
+/// Packs the pictures into pages of at most `page_texels`; where they don't fit, the largest are halved until they do.
+[[nodiscard]] TexelPages pack_texels(const std::vector<Image>& images, std::span<const Picture> pictures,
                                      uint64_t page_texels);
 
 }  // namespace crsh::scene

@@ -6,6 +6,7 @@
 
 #include "crsh/error.h"
 #include "scene/device/device_materials.h"
+#include "scene/packed.h"
 #include "shared/limits.h"
 #include "shared/scene.h"
 
@@ -36,30 +37,58 @@ void require_binding(const gpu::Device& device, const Scene& scene, uint64_t cou
   require_at_most(device, scene, count, device.limits().max_binding / size, what);
 }
 
+/// The same where it is also read as a texel buffer, `words` texels an element.
+void require_texels(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t words, const char* what) {
+  require_at_most(device, scene, count, std::min(device.limits().max_binding / 16, device.limits().max_texels) / words,
+                  what);
+}
+
 void require_bindings(const gpu::Device& device, const Scene& scene) {
   uint64_t vertices = 0, triangles = 0;
   for (const Mesh& mesh : scene.meshes) {
     vertices += mesh.positions.size();
     triangles += mesh.triangles.size();
   }
-  require_binding(device, scene, vertices, sizeof(shared::Vertex), "vertices");
-  require_binding(device, scene, triangles, sizeof(glm::uvec4), "triangles");
+  require_texels(device, scene, vertices, sizeof(shared::Vertex) / 16, "vertices");
+  require_texels(device, scene, triangles, sizeof(shared::StoredTriangle) / 16, "triangles");
   const uint64_t max_drawn = std::min(device.limits().max_binding / sizeof(glm::vec4), device.limits().max_texels);
   require_at_most(device, scene, scene.triangle_count(), max_drawn, "drawn triangles");
   require_binding(device, scene, scene.instances.size(), sizeof(shared::Instance), "objects");
 }
 
+glm::vec2 uv_of(const Mesh& mesh, size_t set, size_t vertex) {
+  return mesh.uv[set].empty() ? glm::vec2(0) : mesh.uv[set][vertex];
+}
+
+/// Twice the triangle's area in each set of texture coordinates.
+glm::vec3 uv_areas(const Mesh& mesh, size_t triangle) {
+  const glm::uvec3 corners = mesh.triangles[triangle];
+  glm::vec3 areas(0);
+  for (size_t set = 0; set < uv_sets; ++set) {
+    const glm::vec2 a = uv_of(mesh, set, corners.x), ab = uv_of(mesh, set, corners.y) - a,
+                    ac = uv_of(mesh, set, corners.z) - a;
+    areas[int(set)] = std::abs(ab.x * ac.y - ab.y * ac.x);
+  }
+  return areas;
+}
+
+shared::Vertex device_vertex(const Mesh& mesh, size_t v) {
+  return {mesh.normals[v],
+          mesh.tangents.empty() ? 0 : packed_tangent(mesh.tangents[v]),
+          mesh.colours[v],
+          {uv_of(mesh, 0, v), uv_of(mesh, 1, v), uv_of(mesh, 2, v)}};
+}
+
 void upload_meshes(gpu::Device& device, const Scene& scene, GpuScene& out) {
   std::vector<glm::vec3> positions;
   std::vector<shared::Vertex> vertices;
-  std::vector<glm::uvec4> triangles;
+  std::vector<shared::StoredTriangle> triangles;
   for (const Mesh& mesh : scene.meshes) {
     const glm::uvec3 base(uint32_t(positions.size()));
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
-      triangles.emplace_back(mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]));
+      triangles.push_back({mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]), uv_areas(mesh, t), 0});
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
-    for (size_t v = 0; v < mesh.positions.size(); ++v)
-      vertices.push_back({mesh.normals[v], mesh.colours[v], mesh.uv0[v], mesh.uv1[v]});
+    for (size_t v = 0; v < mesh.positions.size(); ++v) vertices.push_back(device_vertex(mesh, v));
   }
   out.positions = gpu::upload(device, positions, "positions");
   out.vertices = gpu::upload(device, vertices, "vertices");
@@ -89,9 +118,12 @@ void upload_instances(gpu::Device& device, const Scene& scene, GpuScene& out) {
 void upload_materials(gpu::Device& device, const Scene& scene, GpuScene& out) {
   const gpu::Limits& limits = device.limits();
   DeviceMaterials all = device_materials(scene, std::min(limits.max_binding / sizeof(uint32_t), limits.max_texels));
-  require_at_most(device, scene, all.textures.size(), limits.max_texels, "textures");
+  require_texels(device, scene, all.textures.size(), 1, "textures");
+  require_texels(device, scene, all.materials.size(), 6, "materials");
   out.materials = gpu::upload(device, all.materials, "materials");
   out.textures = gpu::upload(device, all.textures, "textures");
+  out.texture_uses = gpu::upload(device, all.uses, "texture uses");
+  out.lobes = gpu::upload(device, all.lobes, "lobes");
   for (size_t page = 0; page < texel_page_count; ++page)
     out.texels[page] = gpu::upload(device, all.texels.pages[page], "texels");
   out.notes = std::move(all.texels.notes);
@@ -112,15 +144,17 @@ void reserve_moved(gpu::Device& device, GpuScene& out) {
 /// In the order of shaders/scene/tables.glsl. After all its buffers have been made.
 gpu::BufferSet tables_of(gpu::Device& device, const GpuScene& scene) {
   using enum gpu::ReadAs;
-  const std::array<gpu::BufferSet::Member, 8 + texel_page_count> members = {{
+  const std::array<gpu::BufferSet::Member, 10 + texel_page_count> members = {{
       {"corner_a", scene.corner_a, texels_rgba32u},
       {"corner_b", scene.corner_b, texels_rgba32u},
       {"corner_c", scene.corner_c, texels_rgba32u},
-      {"triangles", scene.triangles},
-      {"vertices", scene.vertices},
+      {"triangles", scene.triangles, texels_rgba32u},
+      {"vertices", scene.vertices, texels_rgba32u},
       {"instances", scene.instances},
-      {"materials", scene.materials},
+      {"materials", scene.materials, texels_rgba32u},
       {"textures", scene.textures, texels_rgba32u},
+      {"texture_uses", scene.texture_uses, texels_rgba32u},
+      {"lobes", scene.lobes, texels_rgba32u},
       {"texels0", scene.texels[0], texels_r32u},
       {"texels1", scene.texels[1], texels_r32u},
       {"texels2", scene.texels[2], texels_r32u},

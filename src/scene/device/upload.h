@@ -21,10 +21,12 @@ struct GpuScene {
   // From upload().
   gpu::Buffer positions;  ///< vec3 a stored vertex, object space
   gpu::Buffer vertices;   ///< shared::Vertex a stored vertex
-  gpu::Buffer triangles;  ///< uvec4 a stored triangle: its vertices, and its material with the flags of shared/scene.h
+  gpu::Buffer triangles;  ///< shared::StoredTriangle
   gpu::Buffer sources;    ///< shared::Source a drawn triangle
   gpu::Buffer materials;  ///< shared::Material
   gpu::Buffer textures;   ///< shared::Texture
+  gpu::Buffer texture_uses;  ///< shared::TextureUse
+  gpu::Buffer lobes;         ///< shared::Lobes
   std::array<gpu::Buffer, texel_page_count> texels;  ///< RGBA8 a word
   gpu::Buffer blocks;           ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
   uint32_t triangle_count = 0;  ///< drawn

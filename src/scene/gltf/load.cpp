@@ -12,6 +12,7 @@
 #include "scene/gltf/load.h"
 #include "scene/gltf/material.h"
 #include "scene/gltf/nodes.h"
+#include "scene/gltf/texcoords.h"
 
 namespace crsh::scene {
 
@@ -47,6 +48,7 @@ Scene read(const std::filesystem::path& path, const std::string& which, Reach re
   scene.path = path;
   Notes notes(scene.unsupported);
   note_extensions(document, notes);
+  scene.texcoords = texcoords_used(document);
   const NodeMap nodes = read_nodes(document, which, scene);
   read_instances(document, nodes, scene, notes);
   read_materials(document, materials_used(scene), scene, notes);

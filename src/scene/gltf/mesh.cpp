@@ -19,18 +19,20 @@ constexpr uint32_t unused = 0xFFFFFFFFu;
 constexpr uint64_t triangle_cost = 16;  // in units of Document::spend: 67 million triangles, some 7 GiB, are too many
 constexpr float farthest = 1e15f;       // metres; squares and products stay within float
 
-constexpr std::array attribute_names = {"POSITION", "NORMAL", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
+/// Places in a Layout.
+enum Attribute : size_t { position, normal, tangent, colour, first_uv, attribute_count = first_uv + uv_sets };
 
-/// The accessors of a primitive's attributes, in the order of attribute_names. Primitives with the same share vertices.
-using Layout = std::array<std::optional<int>, attribute_names.size()>;
+/// The accessors of a primitive's attributes. Primitives with the same share vertices.
+using Layout = std::array<std::optional<int>, attribute_count>;
 
-uint32_t packed(const glm::vec4& colour) {
-  uint32_t out = 0;
-  for (int c = 0; c < 4; ++c) {
-    const float value = colour[c] >= 0 ? std::min(colour[c], 1.0f) : 0.0f;  // also NaN becomes 0
-    out |= static_cast<uint32_t>(value * 255.0f + 0.5f) << static_cast<unsigned>(8 * c);
-  }
-  return out;
+std::string name_of(size_t attribute, const std::array<uint32_t, uv_sets>& texcoords) {
+  constexpr std::array names = {"POSITION", "NORMAL", "TANGENT", "COLOR_0"};
+  return attribute < first_uv ? names[attribute] : "TEXCOORD_" + std::to_string(texcoords[attribute - first_uv]);
+}
+
+glm::vec4 clamped(glm::vec4 colour) {
+  for (int c = 0; c < 4; ++c) colour[c] = colour[c] >= 0 ? std::min(colour[c], 1.0f) : 0.0f;  // also NaN becomes 0
+  return colour;
 }
 
 glm::vec3 unit_or_zero(const glm::vec3& v) {
@@ -66,36 +68,55 @@ class Vertices {
   void check() const {
     for (size_t a = 0; a < sources_.size(); ++a) {
       if (!sources_[a]) continue;
-      if (a == 0 || a == 1) sources_[a]->need_components({3});
-      if (a == 2 || a == 3) sources_[a]->need_components({2});
-      if (a == 4) sources_[a]->need_components({3, 4});
+      if (a == position || a == normal) sources_[a]->need_components({3});
+      if (a == tangent) sources_[a]->need_components({4});
+      if (a == colour) sources_[a]->need_components({3, 4});
+      if (a >= first_uv) sources_[a]->need_components({2});
       if (sources_[a]->count() != count())
         throw Fault(sources_[a]->where() + " has not as many elements as the positions");
     }
   }
 
   uint32_t append(Mesh& mesh, uint64_t i) const {
-    const glm::vec3 position(sources_[0]->at(i));
+    const glm::vec3 place(sources_[position]->at(i));
     for (int c = 0; c < 3; ++c)
-      if (!(std::abs(position[c]) <= farthest))
-        throw Fault(sources_[0]->where() + " has a position that is not finite");
-    const auto optional = [i](const std::optional<Accessor>& source) { return source ? source->at(i) : glm::vec4(0); };
-    mesh.positions.push_back(position);
-    mesh.normals.push_back(unit_or_zero(glm::vec3(optional(sources_[1]))));
-    mesh.uv0.push_back(finite_or_zero(optional(sources_[2])));
-    mesh.uv1.push_back(finite_or_zero(optional(sources_[3])));
-    mesh.colours.push_back(colour(i));
+      if (!(std::abs(place[c]) <= farthest))
+        throw Fault(sources_[position]->where() + " has a position that is not finite");
+    mesh.positions.push_back(place);
+    mesh.normals.push_back(unit_or_zero(glm::vec3(optional(normal, i))));
+    mesh.colours.push_back(colour_at(i));
+    append_sparse(mesh.tangents, sources_[tangent].has_value(), mesh, [&] { return tangent_at(i); });
+    for (size_t set = 0; set < uv_sets; ++set)
+      append_sparse(mesh.uv[set], sources_[first_uv + set].has_value(), mesh,
+                    [&] { return finite_or_zero(optional(first_uv + set, i)); });
     return static_cast<uint32_t>(mesh.positions.size() - 1);
   }
 
-  [[nodiscard]] uint32_t colour(uint64_t i) const {
-    if (!sources_[4]) return 0xFFFFFFFFu;
-    glm::vec4 value = sources_[4]->at(i);
-    if (sources_[4]->components() == 3) value.a = 1;
-    return packed(value);
+  /// Appends to an attribute that stays empty until a primitive has it; the vertices before then have zeros.
+  template <class T, class Read>
+  static void append_sparse(std::vector<T>& values, bool has, const Mesh& mesh, const Read& read) {
+    if (!has && values.empty()) return;
+    values.resize(mesh.positions.size() - 1, T(0));
+    values.push_back(has ? read() : T(0));
   }
 
-  std::array<std::optional<Accessor>, attribute_names.size()> sources_;
+  [[nodiscard]] glm::vec4 optional(size_t attribute, uint64_t i) const {
+    return sources_[attribute] ? sources_[attribute]->at(i) : glm::vec4(0);
+  }
+
+  [[nodiscard]] glm::vec4 tangent_at(uint64_t i) const {
+    const glm::vec4 value = sources_[tangent]->at(i);
+    return {unit_or_zero(glm::vec3(value)), value.w < 0 ? -1.0f : 1.0f};
+  }
+
+  [[nodiscard]] PackedColour colour_at(uint64_t i) const {
+    if (!sources_[colour]) return white;
+    glm::vec4 value = sources_[colour]->at(i);
+    if (sources_[colour]->components() == 3) value.a = 1;
+    return packed_colour(clamped(value));
+  }
+
+  std::array<std::optional<Accessor>, attribute_count> sources_;
   std::vector<uint32_t> kept_;
 };
 
@@ -108,8 +129,9 @@ std::array<uint64_t, 3> corners(int mode, uint64_t t) {
 
 class MeshReader {
  public:
-  MeshReader(Document& document, Notes& notes, uint32_t default_material)
-      : document_(document), notes_(notes), default_material_(default_material) {}
+  MeshReader(Document& document, Notes& notes, uint32_t default_material,
+             const std::array<uint32_t, uv_sets>& texcoords)
+      : document_(document), notes_(notes), default_material_(default_material), texcoords_(texcoords) {}
 
   void add(const tinygltf::Primitive& primitive, const std::string& where) {
     note_what_is_left_out(primitive);
@@ -126,10 +148,10 @@ class MeshReader {
   Mesh mesh;
 
  private:
-  static Layout layout_of(const tinygltf::Primitive& primitive) {
+  [[nodiscard]] Layout layout_of(const tinygltf::Primitive& primitive) const {
     Layout layout;
     for (size_t a = 0; a < layout.size(); ++a)
-      if (const auto found = primitive.attributes.find(attribute_names[a]); found != primitive.attributes.end())
+      if (const auto found = primitive.attributes.find(name_of(a, texcoords_)); found != primitive.attributes.end())
         layout[a] = found->second;
     return layout;
   }
@@ -170,19 +192,30 @@ class MeshReader {
   Document& document_;
   Notes& notes_;
   uint32_t default_material_;
+  std::array<uint32_t, uv_sets> texcoords_;
   std::map<Layout, Vertices> blocks_;
 };
 
+/// Attributes that the last primitives did not have.
+void fill_up(Mesh& mesh) {
+  const size_t count = mesh.positions.size();
+  if (!mesh.tangents.empty()) mesh.tangents.resize(count, glm::vec4(0));
+  for (std::vector<glm::vec2>& uv : mesh.uv)
+    if (!uv.empty()) uv.resize(count, glm::vec2(0));
+}
+
 }  // namespace
 
-Mesh read_mesh(Document& document, int64_t index, uint32_t default_material, Notes& notes) {
+Mesh read_mesh(Document& document, int64_t index, uint32_t default_material,
+               const std::array<uint32_t, uv_sets>& texcoords, Notes& notes) {
   const tinygltf::Mesh& from = at(document.model().meshes, index, "meshes");
   const std::string where = place("meshes", index) + ".primitives";
-  MeshReader reader(document, notes, default_material);
+  MeshReader reader(document, notes, default_material, texcoords);
   reader.mesh.name = from.name;
   if (from.primitives.empty()) throw Fault(where + " is missing");
   for (size_t i = 0; i < from.primitives.size(); ++i)
     reader.add(from.primitives[i], place(where, static_cast<int64_t>(i)));
+  fill_up(reader.mesh);
   fill_bounds(reader.mesh);
   return std::move(reader.mesh);
 }

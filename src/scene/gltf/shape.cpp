@@ -43,7 +43,9 @@ constexpr Shape accessor{accessor_fields, sizeof(tinygltf::Accessor)};
 
 // Meshes and nodes.
 constexpr Field attribute_fields[] = {index("POSITION"),   index("NORMAL"),  index("TEXCOORD_0"),
-                                      index("TEXCOORD_1"), index("COLOR_0"), index("COLOR_1")};
+                                      index("TEXCOORD_1"), index("COLOR_0"), index("COLOR_1"), index("TANGENT"),
+                                      index("TEXCOORD_2"), index("TEXCOORD_3"), index("TEXCOORD_4"),
+                                      index("TEXCOORD_5"), index("TEXCOORD_6"), index("TEXCOORD_7")};
 constexpr Shape attributes{attribute_fields};
 constexpr Shape target{{}, sizeof(std::map<std::string, int>)};
 constexpr Field primitive_fields[] = {needed(object("attributes", attributes)), index("indices"), index("material"),
@@ -72,15 +74,20 @@ constexpr Field skin_fields[] = {filled(indices("joints"), "[]"), index("inverse
 constexpr Shape skin{skin_fields, sizeof(tinygltf::Skin)};
 
 // Materials and textures.
-constexpr Field transform_fields[] = {filled(number("rotation"), "0.0")};  // tinygltf drops empty objects
+constexpr Field transform_fields[] = {filled(number("rotation"), "0.0"),  // tinygltf drops empty objects
+                                      numbers("offset", 2), numbers("scale", 2), index("texCoord")};
 constexpr Shape transform{transform_fields};
 constexpr Field texture_extension_fields[] = {object("KHR_texture_transform", transform)};
 constexpr Shape texture_extensions{texture_extension_fields};
 constexpr Field texture_use_fields[] = {needed(index("index")), index("texCoord"),
                                         object("extensions", texture_extensions)};
 constexpr Shape texture_use{texture_use_fields};
-constexpr Field left_out_fields[] = {filled(index("index"), "0")};
-constexpr Shape left_out{left_out_fields};  // a texture that is noted and not read
+constexpr Field normal_fields[] = {needed(index("index")), index("texCoord"), number("scale"),
+                                   object("extensions", texture_extensions)};
+constexpr Shape normal_use{normal_fields};
+constexpr Field occlusion_fields[] = {needed(index("index")), index("texCoord"), number("strength"),
+                                      object("extensions", texture_extensions)};
+constexpr Shape occlusion_use{occlusion_fields};
 constexpr Field roughness_fields[] = {numbers("baseColorFactor", 4), number("metallicFactor"),
                                       number("roughnessFactor"), object("baseColorTexture", texture_use),
                                       object("metallicRoughnessTexture", texture_use)};
@@ -91,26 +98,69 @@ constexpr Field ior_fields[] = {number("ior")};
 constexpr Shape ior{ior_fields};
 constexpr Field transmission_fields[] = {number("transmissionFactor"), object("transmissionTexture", texture_use)};
 constexpr Shape transmission{transmission_fields};
-constexpr Field volume_fields[] = {number("thicknessFactor"), object("thicknessTexture", left_out),
+constexpr Field volume_fields[] = {number("thicknessFactor"), object("thicknessTexture", texture_use),
                                    number("attenuationDistance"), numbers("attenuationColor", 3)};
 constexpr Shape volume{volume_fields};
-constexpr Field material_extension_fields[] = {
-    object("KHR_materials_emissive_strength", strength), object("KHR_materials_ior", ior),
-    object("KHR_materials_transmission", transmission), object("KHR_materials_volume", volume)};
+constexpr Field unlit_fields[] = {filled(flag("crsh"), "true")};  // so that it is no empty object
+constexpr Shape unlit{unlit_fields};
+constexpr Field specular_fields[] = {number("specularFactor"), object("specularTexture", texture_use),
+                                     numbers("specularColorFactor", 3), object("specularColorTexture", texture_use)};
+constexpr Shape specular{specular_fields};
+constexpr Field clearcoat_fields[] = {
+    filled(number("clearcoatFactor"), "0.0"), object("clearcoatTexture", texture_use),
+    number("clearcoatRoughnessFactor"), object("clearcoatRoughnessTexture", texture_use),
+    object("clearcoatNormalTexture", normal_use)};
+constexpr Shape clearcoat{clearcoat_fields};
+constexpr Field sheen_fields[] = {numbers("sheenColorFactor", 3), object("sheenColorTexture", texture_use),
+                                  filled(number("sheenRoughnessFactor"), "0.0"),
+                                  object("sheenRoughnessTexture", texture_use)};
+constexpr Shape sheen{sheen_fields};
+constexpr Field iridescence_fields[] = {
+    filled(number("iridescenceFactor"), "0.0"), object("iridescenceTexture", texture_use), number("iridescenceIor"),
+    number("iridescenceThicknessMinimum"), number("iridescenceThicknessMaximum"),
+    object("iridescenceThicknessTexture", texture_use)};
+constexpr Shape iridescence{iridescence_fields};
+constexpr Field anisotropy_fields[] = {filled(number("anisotropyStrength"), "0.0"), number("anisotropyRotation"),
+                                       object("anisotropyTexture", texture_use)};
+constexpr Shape anisotropy{anisotropy_fields};
+constexpr Field dispersion_fields[] = {filled(number("dispersion"), "0.0")};
+constexpr Shape dispersion{dispersion_fields};
+constexpr Field diffuse_transmission_fields[] = {
+    filled(number("diffuseTransmissionFactor"), "0.0"), object("diffuseTransmissionTexture", texture_use),
+    numbers("diffuseTransmissionColorFactor", 3), object("diffuseTransmissionColorTexture", texture_use)};
+constexpr Shape diffuse_transmission{diffuse_transmission_fields};
+constexpr Field glossiness_fields[] = {numbers("diffuseFactor", 4), object("diffuseTexture", texture_use),
+                                       numbers("specularFactor", 3), filled(number("glossinessFactor"), "1.0"),
+                                       object("specularGlossinessTexture", texture_use)};
+constexpr Shape glossiness{glossiness_fields};
+constexpr Field material_extension_fields[] = {object("KHR_materials_emissive_strength", strength),
+                                               object("KHR_materials_ior", ior),
+                                               object("KHR_materials_transmission", transmission),
+                                               object("KHR_materials_volume", volume),
+                                               object("KHR_materials_unlit", unlit),
+                                               object("KHR_materials_specular", specular),
+                                               object("KHR_materials_clearcoat", clearcoat),
+                                               object("KHR_materials_sheen", sheen),
+                                               object("KHR_materials_iridescence", iridescence),
+                                               object("KHR_materials_anisotropy", anisotropy),
+                                               object("KHR_materials_dispersion", dispersion),
+                                               object("KHR_materials_diffuse_transmission", diffuse_transmission),
+                                               object("KHR_materials_pbrSpecularGlossiness", glossiness)};
 constexpr Shape material_extensions{material_extension_fields};
 constexpr Field material_fields[] = {text("name"),
                                      flag("doubleSided"),
                                      text("alphaMode"),
+                                     number("alphaCutoff"),
                                      numbers("emissiveFactor", 3),
                                      object("emissiveTexture", texture_use),
-                                     object("normalTexture", left_out),
-                                     object("occlusionTexture", left_out),
+                                     object("normalTexture", normal_use),
+                                     object("occlusionTexture", occlusion_use),
                                      object("pbrMetallicRoughness", roughness),
                                      object("extensions", material_extensions)};
 constexpr Shape material{material_fields, sizeof(tinygltf::Material)};
 constexpr Field texture_fields[] = {index("source"), index("sampler")};
 constexpr Shape texture{texture_fields, sizeof(tinygltf::Texture)};
-constexpr Field sampler_fields[] = {index("magFilter"), index("wrapS"), index("wrapT")};
+constexpr Field sampler_fields[] = {index("magFilter"), index("minFilter"), index("wrapS"), index("wrapT")};
 constexpr Shape sampler{sampler_fields, sizeof(tinygltf::Sampler)};
 constexpr Field image_fields[] = {index("bufferView"), text("uri")};
 constexpr Shape image{image_fields, sizeof(tinygltf::Image)};

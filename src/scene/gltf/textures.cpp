@@ -22,38 +22,67 @@ Wrap wrap_of(int code, const std::string& name) {
   }
 }
 
+/// Where the file leaves it open, textures have mip levels, as in other viewers.
+void set_minification(Texture& texture, int code, const std::string& name) {
+  switch (code) {
+    case -1: return;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR: texture.mips = Mips::none; break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST: texture.mips = Mips::nearest; break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR: texture.mips = Mips::linear; break;
+    default: throw Fault(name + " is none of glTF's");
+  }
+  texture.nearest_in_level = code == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                             code == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+                             code == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
+}
+
+TextureTransform transform_of(const Extension& from) {
+  TextureTransform out;
+  if (const auto offset = from.numbers<2>("offset")) out.offset = {(*offset)[0], (*offset)[1]};
+  if (const auto scale = from.numbers<2>("scale")) out.scale = {(*scale)[0], (*scale)[1]};
+  out.rotation = from.number("rotation", 0);
+  return out;
+}
+
 void set_sampler(Texture& texture, const tinygltf::Sampler& sampler, const std::string& where) {
   constexpr int none = -1;
   const int filter = sampler.magFilter;
   if (filter != TINYGLTF_TEXTURE_FILTER_NEAREST && filter != TINYGLTF_TEXTURE_FILTER_LINEAR && filter != none)
     throw Fault(where + ".magFilter is none of glTF's");
   texture.nearest = filter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+  set_minification(texture, sampler.minFilter, where + ".minFilter");
   texture.wrap_s = wrap_of(sampler.wrapS, where + ".wrapS");
   texture.wrap_t = wrap_of(sampler.wrapT, where + ".wrapT");
 }
 
 }  // namespace
 
-TextureUse TextureReader::use(const tinygltf::TextureInfo& info) {
-  if (info.index < 0) return {};
-  return use(info.index, info.texCoord, info.extensions.contains("KHR_texture_transform"));
-}
-
 TextureUse TextureReader::use(const Extension& extension, const std::string& key) {
   const std::optional<Extension> info = extension.object(key);
   if (!info) return {};
   const std::optional<Extension> more = info->object("extensions");
-  return use(info->index("index"), std::max(info->index("texCoord"), 0), more && more->has("KHR_texture_transform"));
+  return use(info->index("index"), info->index("texCoord"), more ? more->object("KHR_texture_transform") : std::nullopt);
 }
 
-TextureUse TextureReader::use(int index, int texcoord, bool transformed) {
-  if (transformed) notes_.add("extension KHR_texture_transform");
-  TextureUse out{texture(index), static_cast<uint32_t>(texcoord)};
-  if (out.texcoord > 1) {
-    notes_.add("texture coordinates past TEXCOORD_1 (TEXCOORD_0 is used)");
-    out.texcoord = 0;
+TextureUse TextureReader::use(int index, int texcoord, const std::optional<Extension>& transform) {
+  TextureUse out{texture(index)};
+  if (transform) {
+    out.transform = transform_of(*transform);
+    if (transform->has("texCoord")) texcoord = transform->index("texCoord");
   }
+  out.texcoord = slot_of(uint32_t(std::max(texcoord, 0)));
   return out;
+}
+
+/// Sets of coordinates are numbered in the order in which materials ask for them, but for the first two.
+uint32_t TextureReader::slot_of(uint32_t set) {
+  const auto found = std::find(scene_.texcoords.begin(), scene_.texcoords.end(), set);
+  if (found != scene_.texcoords.end()) return uint32_t(found - scene_.texcoords.begin());
+  notes_.add("texture coordinates past the third set that is used (the first is used instead)");
+  return 0;
 }
 
 std::optional<uint32_t> TextureReader::texture(int index) {

@@ -19,12 +19,17 @@ class TextureReader {
   TextureReader(Document& document, Scene& scene, Notes& notes) : document_(document), scene_(scene), notes_(notes) {}
 
   /// The texture that a material names, if it can be drawn.
-  [[nodiscard]] TextureUse use(const tinygltf::TextureInfo& info);
+  template <class Info>
+  [[nodiscard]] TextureUse use(const Info& info, const std::string& where) {
+    if (info.index < 0) return {};
+    return use(info.index, info.texCoord, Extension::of(info.extensions, "KHR_texture_transform", where));
+  }
   /// The same for a field of a material's extension.
   [[nodiscard]] TextureUse use(const Extension& extension, const std::string& key);
 
  private:
-  TextureUse use(int index, int texcoord, bool transformed);
+  TextureUse use(int index, int texcoord, const std::optional<Extension>& transform);
+  uint32_t slot_of(uint32_t set);
   std::optional<uint32_t> texture(int index);
   std::optional<uint32_t> read_texture(int index);
   std::optional<uint32_t> image(int index);
