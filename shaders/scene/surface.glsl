@@ -67,12 +67,23 @@ float footprint_on(Point point, vec3 incoming) {
   return point.footprint / max(abs(dot(point.front, incoming)), 0.0625);
 }
 
-/// How many texels of the texture are as wide as `footprint` metres of the triangle.
-float texels_across(TextureUse use, vec3 uv_areas, float area, float footprint) {
+/// Squared texels a metre of a triangle, along the way in which they lie closest: the larger eigenvalue of J
+/// transposed(J), J taking positions to texels. `metric`: of StoredTriangle, for the use's set of coordinates.
+float texel_density(TextureUse use, uint metric, float area) {
+  float unit = exp2(float(metric >> 24) - 135.0) / max(area, 1e-30);
+  vec3 g = vec3(float(metric & 255u), float(metric >> 8 & 255u) - 128.0, float(metric >> 16 & 255u)) * unit;
   Texture whole = texture_of(use.texture);
-  float stretch = abs(use.matrix.x * use.matrix.w - use.matrix.y * use.matrix.z);
-  float texels = uv_areas[use.uv_set] * stretch * float(whole.width) * float(whole.height);
-  return footprint * sqrt(texels / max(area, 1e-30));
+  vec2 u = use.matrix.xy * float(whole.width), v = use.matrix.zw * float(whole.height);
+  float uu = u.x * u.x * g.x + 2.0 * u.x * u.y * g.y + u.y * u.y * g.z;
+  float uv = u.x * v.x * g.x + (u.x * v.y + u.y * v.x) * g.y + u.y * v.y * g.z;
+  float vv = v.x * v.x * g.x + 2.0 * v.x * v.y * g.y + v.y * v.y * g.z;
+  float half_difference = 0.5 * (uu - vv);
+  return 0.5 * (uu + vv) + sqrt(half_difference * half_difference + uv * uv);
+}
+
+/// How many texels of the texture are as wide as `footprint` metres of the triangle.
+float texels_across(TextureUse use, uvec3 uv_metrics, float area, float footprint) {
+  return footprint * sqrt(max(texel_density(use, uv_metrics[use.uv_set], area), 0.0));
 }
 
 /// Texture coordinates after KHR_texture_transform.
@@ -84,11 +95,11 @@ vec2 transformed(TextureUse use, vec2 uv) {
 }
 
 /// The texture of one of a material's slots, which it must have.
-vec4 texel_of(Material material, uint slot, Attributes at, vec3 uv_areas, float area, float footprint) {
+vec4 texel_of(Material material, uint slot, Attributes at, uvec3 uv_metrics, float area, float footprint) {
   uint before = bitCount(material.slots & ((1u << slot) - 1u));
   TextureUse use = texture_use(material.first_use + before);
   vec2 uv = use.uv_set == 0u ? at.uv[0] : use.uv_set == 1u ? at.uv[1] : at.uv[2];
-  return sample_texture(use.texture, transformed(use, uv), texels_across(use, uv_areas, area, footprint));
+  return sample_texture(use.texture, transformed(use, uv), texels_across(use, uv_metrics, area, footprint));
 }
 
 /// What a material's textures hold at a point; white where it has none.
@@ -109,11 +120,11 @@ Texels texels_at(Material material, uint slots, Attributes at, Point point, vec3
   Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
   uint left = material.slots & slots;
   if (left == 0u) return found;
-  vec3 uv_areas = stored_triangle(stored_of(point.triangle)).uv_areas;
+  uvec3 uv_metrics = stored_triangle(stored_of(point.triangle)).uv_metrics;
   float footprint = footprint_on(point, incoming);
   for (; left != 0u; left &= left - 1u) {
     uint slot = uint(findLSB(left));
-    vec4 value = texel_of(material, slot, at, uv_areas, point.area, footprint);
+    vec4 value = texel_of(material, slot, at, uv_metrics, point.area, footprint);
     if (slot == slot_base_colour) found.base_colour = value;
     if (slot == slot_metallic_roughness) found.metallic_roughness = value;
     if (slot == slot_emissive) found.emissive = value;

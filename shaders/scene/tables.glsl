@@ -55,7 +55,7 @@ uint stored_of(uint triangle) { return texelFetch(corner_c, int(triangle)).w; }
 
 StoredTriangle stored_triangle(uint stored) {
   uvec4 first = texelFetch(triangles, int(2u * stored)), second = texelFetch(triangles, int(2u * stored + 1u));
-  return StoredTriangle(first.xyz, first.w, uintBitsToFloat(second.xyz), second.w);
+  return StoredTriangle(first.xyz, first.w, second.xyz, second.w);
 }
 
 Vertex vertex_at(uint i) {

@@ -17,8 +17,12 @@ CRSH_CONST uint triangle_material_mask = (1u << 28) - 1u;
 struct StoredTriangle {
   uvec3 vertices;
   uint material;  ///< and the flags above but triangle_mirrored
-  vec3 uv_areas;  ///< twice the triangle's area in each set of texture coordinates
-  uint unused;
+  /// How texture coordinates run over the triangle, a word a set of them, by which textures are filtered: the matrix
+  /// J transposed(J) times the triangle's doubled area, J being their derivative by position. It has no unit, and so
+  /// stays what it is where the triangle is scaled. Bits, from the lowest: three numbers of 8 bits (dudu, dudv + 128,
+  /// dvdv) and their exponent (scene::packed_metric).
+  uvec3 uv_metrics;
+  uint sheer;  ///< number of its Sheer record, where triangle_sheer is set
 };
 
 /// One corner of a stored triangle, object space.

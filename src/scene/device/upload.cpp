@@ -60,16 +60,17 @@ glm::vec2 uv_of(const Mesh& mesh, size_t set, size_t vertex) {
   return mesh.uv[set].empty() ? glm::vec2(0) : mesh.uv[set][vertex];
 }
 
-/// Twice the triangle's area in each set of texture coordinates.
-glm::vec3 uv_areas(const Mesh& mesh, size_t triangle) {
+/// How each set of texture coordinates runs over the triangle (shared::StoredTriangle).
+glm::uvec3 uv_metrics(const Mesh& mesh, size_t triangle) {
   const glm::uvec3 corners = mesh.triangles[triangle];
-  glm::vec3 areas(0);
-  for (size_t set = 0; set < uv_sets; ++set) {
-    const glm::vec2 a = uv_of(mesh, set, corners.x), ab = uv_of(mesh, set, corners.y) - a,
-                    ac = uv_of(mesh, set, corners.z) - a;
-    areas[int(set)] = std::abs(ab.x * ac.y - ab.y * ac.x);
-  }
-  return areas;
+  const auto position = [&](uint32_t corner) { return glm::dvec3(mesh.positions[corner]); };
+  const std::array<glm::dvec3, 3> at = {position(corners.x), position(corners.y), position(corners.z)};
+  glm::uvec3 out(0);
+  for (size_t set = 0; set < uv_sets; ++set)
+    if (!mesh.uv[set].empty())
+      out[int(set)] = packed_metric(
+          uv_metric(at, {uv_of(mesh, set, corners.x), uv_of(mesh, set, corners.y), uv_of(mesh, set, corners.z)}));
+  return out;
 }
 
 shared::Vertex device_vertex(const Mesh& mesh, size_t v) {
@@ -86,7 +87,7 @@ void upload_meshes(gpu::Device& device, const Scene& scene, GpuScene& out) {
   for (const Mesh& mesh : scene.meshes) {
     const glm::uvec3 base(uint32_t(positions.size()));
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
-      triangles.push_back({mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]), uv_areas(mesh, t), 0});
+      triangles.push_back({mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]), uv_metrics(mesh, t), 0});
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (size_t v = 0; v < mesh.positions.size(); ++v) vertices.push_back(device_vertex(mesh, v));
   }
