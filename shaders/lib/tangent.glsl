@@ -1,7 +1,7 @@
 #ifndef CRSH_LIB_TANGENT_GLSL
 #define CRSH_LIB_TANGENT_GLSL
-// Tangents in one word: a direction on an octahedron's two squares (15 bits each), the bitangent's sign, and one bit that
-// says that there is a tangent. C++: scene::packed_tangent.
+// Tangents in one word: a direction on an octahedron's two squares (15 bits each), the bitangent's sign, and one bit
+// that says that there is a tangent. C++: scene::packed_tangent.
 
 const float tangent_steps = 32767.0;
 

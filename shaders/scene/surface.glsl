@@ -20,8 +20,7 @@ vec3 normal_to_world(Instance instance, vec3 normal) {
 }
 
 vec3 direction_to_world(Instance instance, vec3 direction) {
-  return vec3(dot(instance.row0.xyz, direction), dot(instance.row1.xyz, direction),
-              dot(instance.row2.xyz, direction));
+  return vec3(dot(instance.row0.xyz, direction), dot(instance.row1.xyz, direction), dot(instance.row2.xyz, direction));
 }
 
 /// Which stored vertices a drawn triangle's corners a, b, c are: a mirrored instance has swapped b and c.
@@ -52,9 +51,9 @@ Attributes attributes_at(uint triangle, vec3 weights) {
 struct Point {
   uint triangle;
   vec3 position;
-  vec3 weights;    // barycentric
-  vec3 front;      // unit normal of the triangle's front
-  float area;      // twice the triangle's, m2
+  vec3 weights;     // barycentric
+  vec3 front;       // unit normal of the triangle's front
+  float area;       // twice the triangle's, m2
   float footprint;  // width, in metres, of what a pixel sees there, across the ray
 };
 
@@ -167,8 +166,7 @@ Surface surface_of(Material material, Attributes at, Point point, vec3 incoming)
   found.geometric = turned_normal(point.front, incoming);
   found.normal = shading_normal(at.normal, found.geometric, incoming);
   if ((material.slots & 1u << slot_normal) != 0u)
-    found.normal =
-        tilted_normal(point, at.normal, found.geometric, texels.normal.xyz, material.detail.x, incoming);
+    found.normal = tilted_normal(point, at.normal, found.geometric, texels.normal.xyz, material.detail.x, incoming);
   found.metallic = clamp(material.emissive_metallic.w * texels.metallic_roughness.b, 0.0, 1.0);
   found.roughness = clamp(material.body.x * texels.metallic_roughness.g, 0.0, 1.0);
   found.transmission = clamp(material.body.y * texels.transmission.r, 0.0, 1.0);

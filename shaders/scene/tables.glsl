@@ -65,7 +65,9 @@ Vertex vertex_at(uint i) {
                 vec2[3](uintBitsToFloat(b.zw), uintBitsToFloat(c.xy), uintBitsToFloat(c.zw)));
 }
 
-vec4 material_word(uint material, uint word) { return uintBitsToFloat(texelFetch(materials, int(6u * material + word))); }
+vec4 material_word(uint material, uint word) {
+  return uintBitsToFloat(texelFetch(materials, int(6u * material + word)));
+}
 
 Material material_at(uint i) {
   uvec4 links = texelFetch(materials, int(6u * i + 4u));

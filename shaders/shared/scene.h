@@ -9,8 +9,8 @@ CRSH_SHARED_BEGIN
 // c.w: bits of the stored triangle's number.
 CRSH_CONST uint triangle_cull_back = 1u << 31;     ///< single-sided: eye, reflection and refraction rays pass its back
 CRSH_CONST uint triangle_transmissive = 1u << 30;  ///< a shadow ray is tinted, not blocked
-CRSH_CONST uint triangle_sheer = 1u << 29;     ///< its alpha decides what of it is there (alphaMode MASK and BLEND)
-CRSH_CONST uint triangle_mirrored = 1u << 28;  ///< its instance mirrors: corners b and c are the stored c and b
+CRSH_CONST uint triangle_sheer = 1u << 29;         ///< its alpha decides what of it is there (alphaMode MASK and BLEND)
+CRSH_CONST uint triangle_mirrored = 1u << 28;      ///< its instance mirrors: corners b and c are the stored c and b
 CRSH_CONST uint triangle_material_mask = (1u << 28) - 1u;
 
 /// A stored triangle.
@@ -102,9 +102,9 @@ CRSH_CONST uint slot_count = 20u;
 struct Material {
   vec4 base_colour;
   vec4 emissive_metallic;  ///< rgb: emissive factor times strength, cd/m2; w: metallic factor
-  vec4 body;    ///< roughness, transmission, ior, thickness (object space metres; 0: thin-walled, does not bend)
-  vec4 detail;  ///< normal scale, occlusion strength, alpha cutoff, unused
-  uint slots;   ///< bits: which textures it has
+  vec4 body;       ///< roughness, transmission, ior, thickness (object space metres; 0: thin-walled, does not bend)
+  vec4 detail;     ///< normal scale, occlusion strength, alpha cutoff, unused
+  uint slots;      ///< bits: which textures it has
   uint first_use;  ///< of the texture uses
   uint lobes;      ///< number of its Lobes; none: the metallic-roughness BRDF alone
   uint flags;
@@ -117,12 +117,12 @@ CRSH_CONST uint material_specular_glossiness = 8u;  ///< KHR_materials_pbrSpecul
 
 /// What a material has beyond Material (KHR_materials_*); the lobes of the BSDF that few have.
 struct Lobes {
-  vec4 specular;      ///< rgb: specularColorFactor; w: specularFactor
-  vec4 clearcoat;     ///< factor, roughness, normal scale; w: dispersion
-  vec4 sheen;         ///< rgb: colour; w: roughness
-  vec4 iridescence;   ///< factor, ior, least and largest thickness in nanometres
-  vec4 anisotropy;    ///< strength, cosine and sine of the rotation
-  vec4 attenuation;   ///< rgb: -ln(attenuationColor) / attenuationDistance, 1/m
+  vec4 specular;              ///< rgb: specularColorFactor; w: specularFactor
+  vec4 clearcoat;             ///< factor, roughness, normal scale; w: dispersion
+  vec4 sheen;                 ///< rgb: colour; w: roughness
+  vec4 iridescence;           ///< factor, ior, least and largest thickness in nanometres
+  vec4 anisotropy;            ///< strength, cosine and sine of the rotation
+  vec4 attenuation;           ///< rgb: -ln(attenuationColor) / attenuationDistance, 1/m
   vec4 diffuse_transmission;  ///< rgb: colour; w: factor
   vec4 glossiness;            ///< rgb: specular factor; w: glossiness factor
 };

@@ -15,7 +15,7 @@ layout(push_constant, scalar) uniform Push {
   uint slots;         // a segment of the batch
   uint first_parent;  // surface of the batch's slot 0
   uint first_out;
-  uint turn;  // which closest-hit kind it is
+  uint turn;          // which closest-hit kind it is
   float cone_spread;  // how much wider a pixel's cone gets in a metre
 };
 layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };

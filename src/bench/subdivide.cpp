@@ -23,8 +23,7 @@ struct Weights {
 
 scene::PackedColour mixed_colour(const Weights& w, scene::PackedColour x, scene::PackedColour y,
                                  scene::PackedColour z) {
-  return scene::packed_colour(
-      w.of(scene::unpacked_colour(x), scene::unpacked_colour(y), scene::unpacked_colour(z)));
+  return scene::packed_colour(w.of(scene::unpacked_colour(x), scene::unpacked_colour(y), scene::unpacked_colour(z)));
 }
 
 glm::vec4 mixed_tangent(const Weights& w, const glm::vec4& x, const glm::vec4& y, const glm::vec4& z) {

@@ -96,8 +96,8 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
     const uint32_t count = children.end - next.count;
     if (next.count == 0)
       surfaces::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
-    surfaces::from_hits(s.recorder, {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces,
-                                      s.cone_spread},
+    surfaces::from_hits(s.recorder,
+                        {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces, s.cone_spread},
                         next, s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }

@@ -42,8 +42,8 @@ inline constexpr size_t uv_sets = 3;
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;   ///< unit; zero, for flat shading, where the file has none
-  std::vector<glm::vec4> tangents;  ///< unit; w: 1 or -1, the bitangent's sign; or empty
+  std::vector<glm::vec3> normals;                  ///< unit; zero, for flat shading, where the file has none
+  std::vector<glm::vec4> tangents;                 ///< unit; w: 1 or -1, the bitangent's sign; or empty
   std::array<std::vector<glm::vec2>, uv_sets> uv;  ///< or empty: zeros
   std::vector<PackedColour> colours;               ///< white where the file has none
   std::vector<glm::uvec3> triangles;
@@ -120,7 +120,7 @@ struct Pose {
 
 struct Scene {
   std::filesystem::path path;
-  std::string name;  ///< of the chosen glTF scene
+  std::string name;                                     ///< of the chosen glTF scene
   std::array<uint32_t, uv_sets> texcoords = {0, 1, 2};  ///< the N of the TEXCOORD_N that Mesh::uv are
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;

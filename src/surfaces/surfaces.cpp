@@ -46,9 +46,8 @@ void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, cons
   const Children& children = in.children;
   const ChildRun& run = children.of_kind[kind];
   clear_direct(recorder, generation, run.first_child, run.count);
-  const HitsPush push{run.first_ray,          run.count,       children.surfaces,
-                      children.first_surface, run.first_child, ray_kinds[kind].turn,
-                      in.cone_spread};
+  const HitsPush push{run.first_ray,        run.count,     children.surfaces, children.first_surface, run.first_child,
+                      ray_kinds[kind].turn, in.cone_spread};
   recorder.dispatch("surfaces/from_hits", push.count, push,
                     with_outputs({in.scene.tables,
                                   {"rays", in.rays},

@@ -14,17 +14,17 @@
 
 namespace crsh::surfaces {
 
-/// Six buffers of vec4 and one of floats, one element a surface; the paper's position, normal, diffuse and specular, and what reflection
-/// and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel and path. Shaders
-/// bind them in this order.
+/// Six buffers of vec4 and one of floats, one element a surface; the paper's position, normal, diffuse and specular,
+/// and what reflection and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel and
+/// path. Shaders bind them in this order.
 struct Surfaces {
   gpu::Buffer position;   ///< xyz: world position; w: bits of the drawn triangle's id, `none` where nothing was met
   gpu::Buffer normal;     ///< xyz: shading normal, unit, on the incoming ray's side; w: transmission, 0..1
   gpu::Buffer geometric;  ///< xyz: geometric normal, unit, turned to the incoming ray; w: roughness
   /// xyz: unit direction of the ray that came; w: eta = n(this side) / n(other side), 1: no bend
   gpu::Buffer incoming;
-  gpu::Buffer diffuse;   ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
-  gpu::Buffer specular;  ///< rgb: F0; w: bits of the path: 1, then shared::path_bits a bounce: RayKind::turn
+  gpu::Buffer diffuse;    ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
+  gpu::Buffer specular;   ///< rgb: F0; w: bits of the path: 1, then shared::path_bits a bounce: RayKind::turn
   gpu::Buffer footprint;  ///< float: how wide the pixel's cone is there, across the ray that came, metres
   uint32_t count = 0;
 };

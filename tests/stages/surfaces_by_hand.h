@@ -45,6 +45,7 @@ inline HandMade upload_points(const std::vector<Point>& points) {
                    gpu::upload(d, incoming, "incoming"),
                    gpu::upload(d, diffuse, "diffuse"),
                    gpu::upload(d, specular, "specular"),
+                   gpu::upload(d, std::vector<float>(points.size(), 0), "footprint"),
                    uint32_t(points.size())};
   made.generation.emission = gpu::upload(d, emission, "emission");
   made.generation.direct = gpu::upload(d, std::vector<glm::vec4>(points.size(), glm::vec4(0)), "direct");

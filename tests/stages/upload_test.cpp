@@ -246,8 +246,9 @@ TEST_CASE("a picture with mip levels has them behind it, each the mean in linear
     CHECK(levels[1].height == 1);
     CHECK(levels[1].first == levels[0].first + 6);
     const uint32_t mean = pages.pages[levels[1].page][levels[1].first];
-    CHECK((mean & 255) == (i == 0 ? 213 : 170));  // two thirds of white: in sRGB, and linear
-    CHECK(mean >> 24 == 170);                     // alpha is linear in both
+    const uint32_t two_thirds_of_white = i == 0 ? 213 : 170;  // in sRGB, and linear
+    CHECK((mean & 255) == two_thirds_of_white);
+    CHECK((mean >> 24) == 170);  // alpha is linear in both
   }
 }
 

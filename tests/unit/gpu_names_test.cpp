@@ -95,7 +95,7 @@ TEST_CASE("the names of a shader are its arrays' and images', and tables are a s
   const Reflection hits = reflect(embedded_spirv("surfaces/from_hits.comp"));
   CHECK(names_of(hits.tables).starts_with("corner_a, corner_b, corner_c, triangles, vertices"));
   CHECK(hits.tables[0].kind == Resource::texel_buffer);
-  CHECK(hits.tables[3].kind == Resource::storage_buffer);
+  CHECK(hits.tables[5].kind == Resource::storage_buffer);
 }
 
 TEST_CASE("a shader whose buffer has another name cannot stand for the embedded one") {

@@ -86,7 +86,8 @@ class TextureTable {
       for (size_t level = 0; level < levels.size(); ++level) {
         const Placement& at = levels[level];
         const auto below = uint32_t(levels.size() - 1 - level);
-        out.textures.push_back({at.first, at.width, at.height, at.page | flags | below << shared::texture_levels_shift});
+        out.textures.push_back(
+            {at.first, at.width, at.height, at.page | flags | below << shared::texture_levels_shift});
       }
     }
     for (const Use& use : uses_) out.uses.push_back(device_use(first[use.number], *use.use));

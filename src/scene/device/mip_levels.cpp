@@ -76,8 +76,7 @@ Image next_level(const Image& image, bool srgb) {
           const float share = row.share[j] * column.share[i];
           if (share == 0) continue;
           const uint8_t* from = &image.rgba[(size_t(row.texel[j]) * image.width + column.texel[i]) * 4];
-          for (size_t c = 0; c < 4; ++c)
-            sum[c] += share * float((srgb && c < 3 ? coded : plain).to_linear[from[c]]);
+          for (size_t c = 0; c < 4; ++c) sum[c] += share * float((srgb && c < 3 ? coded : plain).to_linear[from[c]]);
         }
       for (size_t c = 0; c < 4; ++c)
         *to++ = (srgb && c < 3 ? coded : plain).from_linear[std::min(uint32_t(sum[c] + 0.5f), white16)];

@@ -87,7 +87,8 @@ void upload_meshes(gpu::Device& device, const Scene& scene, GpuScene& out) {
   for (const Mesh& mesh : scene.meshes) {
     const glm::uvec3 base(uint32_t(positions.size()));
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
-      triangles.push_back({mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]), uv_metrics(mesh, t), 0});
+      triangles.push_back(
+          {mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]), uv_metrics(mesh, t), 0});
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (size_t v = 0; v < mesh.positions.size(); ++v) vertices.push_back(device_vertex(mesh, v));
   }

@@ -19,14 +19,14 @@ namespace crsh::scene {
 /// stands for an empty list.
 struct GpuScene {
   // From upload().
-  gpu::Buffer positions;  ///< vec3 a stored vertex, object space
-  gpu::Buffer vertices;   ///< shared::Vertex a stored vertex
-  gpu::Buffer triangles;  ///< shared::StoredTriangle
-  gpu::Buffer sources;    ///< shared::Source a drawn triangle
-  gpu::Buffer materials;  ///< shared::Material
-  gpu::Buffer textures;   ///< shared::Texture
-  gpu::Buffer texture_uses;  ///< shared::TextureUse
-  gpu::Buffer lobes;         ///< shared::Lobes
+  gpu::Buffer positions;                             ///< vec3 a stored vertex, object space
+  gpu::Buffer vertices;                              ///< shared::Vertex a stored vertex
+  gpu::Buffer triangles;                             ///< shared::StoredTriangle
+  gpu::Buffer sources;                               ///< shared::Source a drawn triangle
+  gpu::Buffer materials;                             ///< shared::Material
+  gpu::Buffer textures;                              ///< shared::Texture
+  gpu::Buffer texture_uses;                          ///< shared::TextureUse
+  gpu::Buffer lobes;                                 ///< shared::Lobes
   std::array<gpu::Buffer, texel_page_count> texels;  ///< RGBA8 a word
   gpu::Buffer blocks;           ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
   uint32_t triangle_count = 0;  ///< drawn

@@ -111,7 +111,8 @@ class MaterialReader {
       set_texture(out, Slot::sheen_roughness, *sheen, "sheenRoughnessTexture");
     }
     if (const auto film = Extension::of(all, "KHR_materials_iridescence", where)) {
-      out.iridescence = {unit(film->number("iridescenceFactor", 0)), std::max(film->number("iridescenceIor", 1.3f), 1.0f),
+      out.iridescence = {unit(film->number("iridescenceFactor", 0)),
+                         std::max(film->number("iridescenceIor", 1.3f), 1.0f),
                          not_negative(*film, "iridescenceThicknessMinimum", 100),
                          not_negative(*film, "iridescenceThicknessMaximum", 400)};
       set_texture(out, Slot::iridescence, *film, "iridescenceTexture");

@@ -42,10 +42,10 @@ constexpr Field accessor_fields[] = {
 constexpr Shape accessor{accessor_fields, sizeof(tinygltf::Accessor)};
 
 // Meshes and nodes.
-constexpr Field attribute_fields[] = {index("POSITION"),   index("NORMAL"),  index("TEXCOORD_0"),
-                                      index("TEXCOORD_1"), index("COLOR_0"), index("COLOR_1"), index("TANGENT"),
-                                      index("TEXCOORD_2"), index("TEXCOORD_3"), index("TEXCOORD_4"),
-                                      index("TEXCOORD_5"), index("TEXCOORD_6"), index("TEXCOORD_7")};
+constexpr Field attribute_fields[] = {
+    index("POSITION"),   index("NORMAL"),     index("TEXCOORD_0"), index("TEXCOORD_1"), index("COLOR_0"),
+    index("COLOR_1"),    index("TANGENT"),    index("TEXCOORD_2"), index("TEXCOORD_3"), index("TEXCOORD_4"),
+    index("TEXCOORD_5"), index("TEXCOORD_6"), index("TEXCOORD_7")};
 constexpr Shape attributes{attribute_fields};
 constexpr Shape target{{}, sizeof(std::map<std::string, int>)};
 constexpr Field primitive_fields[] = {needed(object("attributes", attributes)), index("indices"), index("material"),
@@ -106,19 +106,21 @@ constexpr Shape unlit{unlit_fields};
 constexpr Field specular_fields[] = {number("specularFactor"), object("specularTexture", texture_use),
                                      numbers("specularColorFactor", 3), object("specularColorTexture", texture_use)};
 constexpr Shape specular{specular_fields};
-constexpr Field clearcoat_fields[] = {
-    filled(number("clearcoatFactor"), "0.0"), object("clearcoatTexture", texture_use),
-    number("clearcoatRoughnessFactor"), object("clearcoatRoughnessTexture", texture_use),
-    object("clearcoatNormalTexture", normal_use)};
+constexpr Field clearcoat_fields[] = {filled(number("clearcoatFactor"), "0.0"), object("clearcoatTexture", texture_use),
+                                      number("clearcoatRoughnessFactor"),
+                                      object("clearcoatRoughnessTexture", texture_use),
+                                      object("clearcoatNormalTexture", normal_use)};
 constexpr Shape clearcoat{clearcoat_fields};
 constexpr Field sheen_fields[] = {numbers("sheenColorFactor", 3), object("sheenColorTexture", texture_use),
                                   filled(number("sheenRoughnessFactor"), "0.0"),
                                   object("sheenRoughnessTexture", texture_use)};
 constexpr Shape sheen{sheen_fields};
-constexpr Field iridescence_fields[] = {
-    filled(number("iridescenceFactor"), "0.0"), object("iridescenceTexture", texture_use), number("iridescenceIor"),
-    number("iridescenceThicknessMinimum"), number("iridescenceThicknessMaximum"),
-    object("iridescenceThicknessTexture", texture_use)};
+constexpr Field iridescence_fields[] = {filled(number("iridescenceFactor"), "0.0"),
+                                        object("iridescenceTexture", texture_use),
+                                        number("iridescenceIor"),
+                                        number("iridescenceThicknessMinimum"),
+                                        number("iridescenceThicknessMaximum"),
+                                        object("iridescenceThicknessTexture", texture_use)};
 constexpr Shape iridescence{iridescence_fields};
 constexpr Field anisotropy_fields[] = {filled(number("anisotropyStrength"), "0.0"), number("anisotropyRotation"),
                                        object("anisotropyTexture", texture_use)};

@@ -64,7 +64,8 @@ TextureUse TextureReader::use(const Extension& extension, const std::string& key
   const std::optional<Extension> info = extension.object(key);
   if (!info) return {};
   const std::optional<Extension> more = info->object("extensions");
-  return use(info->index("index"), info->index("texCoord"), more ? more->object("KHR_texture_transform") : std::nullopt);
+  return use(info->index("index"), info->index("texCoord"),
+             more ? more->object("KHR_texture_transform") : std::nullopt);
 }
 
 TextureUse TextureReader::use(int index, int texcoord, const std::optional<Extension>& transform) {
