@@ -15,8 +15,8 @@
 namespace crsh::surfaces {
 
 /// Six buffers of vec4 and one of floats, one element a surface; the paper's position, normal, diffuse and specular,
-/// and what reflection and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel and
-/// path. Shaders bind them in this order.
+/// and what reflection and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel
+/// and path. Shaders bind them in this order.
 struct Surfaces {
   gpu::Buffer position;   ///< xyz: world position; w: bits of the drawn triangle's id, `none` where nothing was met
   gpu::Buffer normal;     ///< xyz: shading normal, unit, on the incoming ray's side; w: transmission, 0..1
