@@ -7,9 +7,11 @@ const float tangent_steps = 32767.0;
 
 vec2 signs_of(vec2 v) { return mix(vec2(-1.0), vec2(1.0), greaterThanEqual(v, vec2(0.0))); }
 
-/// `tangent`: xyz of any length but 0; w: the bitangent's sign.
+/// `tangent`: xyz of any length, 0 for none; w: the bitangent's sign.
 uint packed_tangent(vec4 tangent) {
-  vec3 d = tangent.xyz / (abs(tangent.x) + abs(tangent.y) + abs(tangent.z));
+  float sum = abs(tangent.x) + abs(tangent.y) + abs(tangent.z);
+  if (!(sum > 0.0)) return 0u;
+  vec3 d = tangent.xyz / sum;
   vec2 square = d.z >= 0.0 ? d.xy : (1.0 - abs(d.yx)) * signs_of(d.xy);
   uvec2 steps = uvec2(clamp(square * 0.5 + 0.5, 0.0, 1.0) * tangent_steps + 0.5);
   return 1u | (tangent.w < 0.0 ? 2u : 0u) | steps.x << 2 | steps.y << 17;

@@ -33,6 +33,46 @@ struct Vertex {
   vec2 uv[3];
 };
 
+// What deforms (glTF 2.0, sections 3.7.2.2 and 3.7.3). Each instance that does has stored vertices and triangles of its
+// own, behind those of the meshes that do not.
+
+/// A vertex at rest. Its lists end where the next vertex's begin; one more ends the last.
+struct RestVertex {
+  vec3 position;
+  uint first_influence;
+  vec3 normal;
+  uint first_displacement;
+  uint tangent;  ///< as packed_tangent
+};
+
+/// How much a joint moves a vertex.
+struct Influence {
+  uint joint;  ///< of the skin; `none`: the last one
+  float weight;
+};
+
+/// What a morph target of weight 1 adds.
+struct Displacement {
+  vec3 position;
+  uint target;
+  vec3 normal;
+  vec3 tangent;
+};
+
+/// A vertex of an instance that deforms.
+struct PosedVertex {
+  uint rest;   ///< its RestVertex
+  uint posed;  ///< its instance's PosedInstance
+};
+
+/// An instance that deforms.
+struct PosedInstance {
+  uint first_joint;   ///< of its skin
+  uint joint_count;   ///< 0: it has no skin
+  uint first_weight;  ///< of its morph targets
+  uint instance;
+};
+
 /// A drawn triangle's source: which instance, and which triangle of the stored index list.
 struct Source {
   uint instance;

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <span>
 
+#include "scene/deform.h"
+#include "scene/playing.h"
 #include "shared/object.h"
 
 namespace crsh::bench {
@@ -109,14 +111,16 @@ void SahBox::include(const SahBox& other) {
 double binned_sah_cost(std::vector<SahBox> boxes) { return BinnedBuild(std::move(boxes)).run(); }
 
 std::vector<SahBox> world_boxes(const scene::Scene& scene, const Variant& variant) {
-  const scene::Pose pose = scene.pose(variant.seconds.back(), scene.find_animation(variant.options.animation));
+  const scene::Pose pose =
+      scene.pose(variant.seconds.back(), scene::playing(scene, variant.options.animation).animations);
   std::vector<SahBox> boxes;
-  for (size_t i = 0; i < scene.instances.size(); ++i) {
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+    const std::vector<glm::vec3> positions = scene::posed_positions(scene, pose, i);
     for (const glm::uvec3& triangle : mesh.triangles) {
       SahBox box;
       for (int corner = 0; corner < 3; ++corner) {
-        const glm::vec3 point = pose.instances[i] * glm::vec4(mesh.positions[triangle[corner]], 1);
+        const glm::vec3 point = pose.instances[i] * glm::vec4(positions[triangle[corner]], 1);
         box.include({point, point});
       }
       boxes.push_back(box);

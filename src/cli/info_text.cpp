@@ -7,16 +7,16 @@
 #include "gpu/needs.h"
 #include "output/stats_json.h"
 #include "scene/approximated.h"
+#include "scene/playing.h"
 
 namespace crsh::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Bounds at time 0 of the first animation.
+/// Bounds at time 0 of the animations that play.
 scene::Bounds bounds_of(const scene::Scene& scene) {
-  const auto animation = scene.animations.empty() ? std::nullopt : std::optional(0u);
-  return scene.bounds(scene.pose(0, animation));
+  return scene.bounds(scene.pose(0, scene::playing(scene, "").animations));
 }
 
 Json bounds_json(const scene::Bounds& bounds) {

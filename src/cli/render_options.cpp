@@ -60,8 +60,9 @@ OptionGroup time_options(RenderCommand& command) {
         .help = "Frames a second.",
         .set = [&fps = command.frames_per_second](const std::string& text) { fps = parse_real(text, 0.001f, 100000); },
         .get = [&fps = command.frames_per_second] { return json_of(fps); }},
-       changes_pixels(with_default("the first", text("--animation", "INDEX|NAME", "Which of the file's animations.",
-                                                     command.options.animation)))}};
+       changes_pixels(with_default(
+           "those that move different things",
+           text("--animation", "INDEX|NAME|all", "Which of the file's animations.", command.options.animation)))}};
 }
 
 Option memory_row(uint64_t& bytes) {

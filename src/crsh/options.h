@@ -87,7 +87,7 @@ struct RenderOptions {
   uint32_t width = 0, height = 512;  ///< width 0: from the camera's aspect
   uint32_t samples = 1, seed = 0, bounces = 4;
   std::optional<glm::vec3> background = glm::vec3(0);  ///< none: transparent
-  std::string scene, camera, animation;                ///< index or name; empty: the default
+  std::string scene, camera, animation;                ///< index or name (or all); empty: the default
   ViewOption view;
   std::vector<std::string> hidden;  ///< instances that are left out, by index or name (scene/hide.h)
   std::vector<LightOption> lights;  ///< not empty: they replace the file's

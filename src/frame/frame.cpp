@@ -157,7 +157,7 @@ void render_sample(Renderer::State& s, const raster::CameraView& view, const Ren
 }  // namespace
 
 Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
-  const scene::Pose pose = s.scene.pose(seconds, s.animation);
+  const scene::Pose pose = s.scene.pose(seconds, s.animations);
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   s.recorder.stage(Stage::raster);
   s.placing = true;
@@ -173,7 +173,7 @@ Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progres
 }
 
 Picture refine_frame(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
-  const scene::Pose pose = s.scene.pose(seconds, s.animation);
+  const scene::Pose pose = s.scene.pose(seconds, s.animations);
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   render_sample(s, view, progress, 0);
   return shading::take_picture(s.recorder, s.film, view, s.options.background);

@@ -10,6 +10,7 @@
 #include "frame/built.h"
 #include "frame/state.h"
 #include "scene/device/device_materials.h"
+#include "scene/playing.h"
 
 namespace crsh {
 namespace {
@@ -55,8 +56,8 @@ bool all_plain(const scene::Scene& scene) {
 void apply(Renderer::State& s, RenderOptions options) {
   trace::require_sound(options.algorithm);
   trace::require_device(s.device, options.algorithm);
-  const std::optional<uint32_t> animation = s.scene.find_animation(options.animation);
-  const scene::Pose pose = s.scene.pose(0, animation);
+  scene::Playing playing = scene::playing(s.scene, options.animation);
+  const scene::Pose pose = s.scene.pose(0, playing.animations);
   const scene::Bounds bounds = s.scene.bounds(pose);
   const raster::ImageSize size = raster::image_size(s.scene, options);
   options.width = size.width;
@@ -64,7 +65,9 @@ void apply(Renderer::State& s, RenderOptions options) {
   const raster::CameraView view = raster::camera_view(s.scene, pose, options, bounds, size);
   scene::LightRig lights = scene::resolve_lights(s.scene, options.lights, bounds, {view.eye, view.right, view.up});
   if (!s.counters || options.bounces != s.options.bounces) s.counters.emplace(s.device, options.bounces);
-  s.animation = animation;
+  s.animations = std::move(playing.animations);
+  s.notes = s.gpu_scene.notes;
+  if (!playing.note.empty()) s.notes.push_back(playing.note);
   s.first_bounds = bounds;
   s.size = size;
   s.lights = std::move(lights);
@@ -254,6 +257,6 @@ const Statistics& Renderer::statistics() const { return state_->statistics; }
 const RenderOptions& Renderer::options() const { return state_->options; }
 const std::optional<ViewOption>& Renderer::chosen_view() const { return state_->chosen_view; }
 const std::vector<LightOption>& Renderer::chosen_lights() const { return state_->lights.chosen; }
-const std::vector<std::string>& Renderer::notes() const { return state_->gpu_scene.notes; }
+const std::vector<std::string>& Renderer::notes() const { return state_->notes; }
 
 }  // namespace crsh

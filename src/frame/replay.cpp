@@ -68,7 +68,7 @@ void restore_rows(const RayTable& given, const std::vector<uint32_t>& rows, cons
 }  // namespace
 
 void replay_rays(Renderer::State& s, const RayTable& table, double seconds) {
-  place_objects(s, s.scene.pose(seconds, s.animation));
+  place_objects(s, s.scene.pose(seconds, s.animations));
   s.film.layers = {};  // no pixels, no layers of tests
   gpu::Buffer &pixels = s.paths.first.diffuse, &paths = s.paths.first.specular;
   std::vector<uint32_t> rows;

@@ -60,8 +60,8 @@ struct Renderer::State {
   const scene::Scene& scene;
   RenderOptions options;
   gpu::Recorder recorder;
-  scene::Bounds first_bounds;  ///< of the scene at time 0
-  std::optional<uint32_t> animation;
+  scene::Bounds first_bounds;        ///< of the scene at time 0
+  std::vector<uint32_t> animations;  ///< that play
   raster::ImageSize size;
   std::optional<ViewOption> chosen_view;  ///< where no camera was given
   float cone_spread = 0;                  ///< raster::PixelCone's, of the frame under way
@@ -79,7 +79,7 @@ struct Renderer::State {
   Statistics statistics;        ///< of all finished frames
   Statistics frame_statistics;  ///< of the current frame
   Dump dump;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes;  ///< Renderer::notes()
 };
 
 /// Thrown where a generation has more surfaces than the device can bind. The frame then begins again with smaller

@@ -33,8 +33,8 @@ void dump(gpu::Recorder& recorder, const trace::Traced& traced, Dump& to) {
 
 void place_objects(Renderer::State& s, const scene::Pose& pose) {
   scene::animate(s.recorder, s.gpu_scene, s.scene, pose, s.lights);
-  trace::place(s.recorder, {s.gpu_scene, pose.instances, s.options.submit_work},
-               trace::tracer_of(s.options.algorithm).needs, s.structures);
+  trace::place(s.recorder, {s.gpu_scene, pose, s.options.submit_work}, trace::tracer_of(s.options.algorithm).needs,
+               s.structures);
 }
 
 void trace_rays(Renderer::State& s, uint32_t bounce, const trace::RayNames& names) {

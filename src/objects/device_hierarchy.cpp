@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "crsh/error.h"
 
 namespace crsh::objects {
@@ -30,7 +28,7 @@ void require_ray_queries(const gpu::Device& device) {
 
 void update(gpu::Recorder& recorder, const In& in, DeviceHierarchy& h) {
   const uint32_t triangles = in.scene.triangle_count;
-  if (triangles == 0 || (h.builds > 0 && std::ranges::equal(h.pose, in.pose))) return;
+  if (triangles == 0 || (h.builds > 0 && h.pose == in.pose)) return;
   recorder.stage(Stage::object_hierarchy);
   if (!h.structure) make(recorder, triangles, h);
   recorder.dispatch("objects/soup", triangles, triangles,
@@ -41,7 +39,7 @@ void update(gpu::Recorder& recorder, const In& in, DeviceHierarchy& h) {
                     triangles);
   recorder.build(*h.structure, h.corners);
   recorder.submit();
-  h.pose.assign(in.pose.begin(), in.pose.end());
+  h.pose = in.pose;
   ++h.builds;
 }
 

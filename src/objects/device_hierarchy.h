@@ -12,14 +12,14 @@ namespace crsh::objects {
 struct DeviceHierarchy {
   gpu::Buffer corners;                                    ///< three vec4 a triangle
   std::unique_ptr<gpu::AccelerationStructure> structure;  ///< none over no triangles
-  std::vector<glm::mat4> pose;                            ///< of the instances when it was built
+  scene::GeometryPose pose;                               ///< when it was built
   uint32_t builds = 0;
 };
 
 /// Throws UserError where the device has no ray queries.
 void require_ray_queries(const gpu::Device& device);
 
-/// Builds it where there is none, and anew where objects have moved since. (Stage: object hierarchy.)
+/// Builds it where there is none, and anew where objects have moved or deformed since. (Stage: object hierarchy.)
 void update(gpu::Recorder& recorder, const In& in, DeviceHierarchy& hierarchy);
 
 }  // namespace crsh::objects

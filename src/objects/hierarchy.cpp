@@ -61,13 +61,13 @@ void fit(gpu::Recorder& recorder, const In& in, Hierarchy& h) {
   for (size_t r = h.ranks.size(); r-- > 0;) fit_rank(recorder, in, h, h.ranks[r]);
   const auto root = recorder.read<glm::vec4>(h.root, 2);
   h.cost = root[1].w > 0 ? double(root[0].w) / double(root[1].w) : 0;
-  h.pose.assign(in.pose.begin(), in.pose.end());
+  h.pose = in.pose;
 }
 
 void update(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy) {
   recorder.stage(Stage::object_hierarchy);
   if (hierarchy.node_count == 0) return build(recorder, in, hierarchy);
-  if (std::ranges::equal(hierarchy.pose, in.pose)) return;
+  if (hierarchy.pose == in.pose) return;
   refit(recorder, in, hierarchy);
   if (hierarchy.cost > loose * hierarchy.built_cost) build(recorder, in, hierarchy);
 }

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -27,11 +26,11 @@ struct Hierarchy {
   uint32_t triangle_count = 0;
 
   // For refits.
-  gpu::Buffer order;            ///< uint a place in leaf order: the triangle there
-  gpu::Buffer costs;            ///< float an inner node
-  std::vector<Rank> ranks;      ///< the root's first; children are in later ranks than their parents
-  std::vector<glm::mat4> pose;  ///< of the instances when boxes were last fitted
-  double built_cost = 0;        ///< the SAH cost when it was built
+  gpu::Buffer order;         ///< uint a place in leaf order: the triangle there
+  gpu::Buffer costs;         ///< float an inner node
+  std::vector<Rank> ranks;   ///< the root's first; children are in later ranks than their parents
+  scene::GeometryPose pose;  ///< when boxes were last fitted
+  double built_cost = 0;     ///< the SAH cost when it was built
 
   // For statistics.
   double cost = 0;                  ///< SAH cost: expected tests of a ray that meets the root's box
@@ -40,7 +39,7 @@ struct Hierarchy {
 
 struct In {
   const scene::GpuScene& scene;     ///< as animate() left it
-  std::span<const glm::mat4> pose;  ///< of its instances
+  const scene::GeometryPose& pose;  ///< in this pose
   uint64_t submit_work = 0;         ///< tests or elements a submit
 };
 
@@ -48,7 +47,7 @@ struct In {
 inline constexpr double loose = 1.3;
 
 /// Makes `hierarchy` hold the scene's triangles where they are now: builds it at first, refits it when objects have
-/// moved, builds it anew when refitting has made it loose, and else does nothing. What it does depends only on poses,
+/// moved or deformed, builds it anew when refitting has made it loose, and else does nothing. What it does depends only on poses,
 /// never on time. Submits, and waits. Throws gpu::OutOfMemory, and UserError where a list is larger than the device can
 /// bind. (Stage: object hierarchy.)
 void update(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy);

@@ -199,7 +199,7 @@ CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const
   const float aspect = aspect_of(size);
   CameraView view;
   if (const std::optional<uint32_t> index = chosen_camera(scene, options)) {
-    see_through(view, scene.cameras[*index], pose.cameras[*index]);
+    see_through(view, scene::changed_or(pose.changes.cameras, scene.cameras, *index), pose.cameras[*index]);
     if (options.view.fov_degrees && !view.orthographic) set_fov(view, glm::radians(*options.view.fov_degrees));
   } else {
     see_scene(view, options.view, bounds, aspect);

@@ -133,13 +133,16 @@ struct Material {
   std::string name;
   glm::vec4 base_colour{1};
   glm::vec3 emissive{0};  ///< factor times KHR_materials_emissive_strength
+  glm::vec3 emissive_factor{0};
+  float emissive_strength = 1;
   float metallic = 1, roughness = 1;
   float transmission = 0, ior = 1.5f, thickness = 0;
   float normal_scale = 1, occlusion_strength = 1;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false, unlit = false;
-  float dispersion = 0;  ///< KHR_materials_dispersion: 20 / Abbe number
+  bool may_transmit = false;  ///< an animation may let light through it
+  float dispersion = 0;       ///< KHR_materials_dispersion: 20 / Abbe number
   Specular specular;
   Clearcoat clearcoat;
   Sheen sheen;

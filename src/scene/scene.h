@@ -8,7 +8,9 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,38 @@ struct Bounds {
 /// How many sets of texture coordinates a vertex has.
 inline constexpr size_t uv_sets = 3;
 
+/// A list for each vertex, one behind the other.
+template <class T>
+struct Rows {
+  std::vector<uint32_t> first;  ///< where each vertex's list begins, and where the last one ends; empty: there are none
+  std::vector<T> items;
+  [[nodiscard]] bool empty() const { return items.empty(); }
+  [[nodiscard]] std::span<const T> of(size_t vertex) const {
+    if (first.empty()) return {};
+    return std::span(items).subspan(first[vertex], first[vertex + 1] - first[vertex]);
+  }
+};
+
+/// How much a joint of a skin moves a vertex; a vertex's weights sum to 1.
+struct Influence {
+  uint32_t joint = 0;  ///< a place in Skin::joints, or unskinned
+  float weight = 0;
+};
+/// In place of a joint: the last one of the instance's skin, which is its own node (Skin::has_own_node).
+inline constexpr uint32_t unskinned = 0xFFFFFFFFu;
+
+/// What a morph target of weight 1 adds to a vertex.
+struct Displacement {
+  uint32_t target = 0;
+  glm::vec3 position{0}, normal{0}, tangent{0};
+};
+
+/// All vertices that a joint moves, at rest.
+struct JointBox {
+  uint32_t joint = 0;
+  Bounds box;
+};
+
 /// A glTF mesh, with all its triangle primitives in one. Each attribute has as many elements as `positions`, but those
 /// that are empty because no material of the mesh needs them.
 struct Mesh {
@@ -53,6 +87,22 @@ struct Mesh {
   /// after any affine map (times its largest stretch). Culling uses these, because a hit lies in its triangle's
   /// smallest sphere by definition.
   float cover_similar = 0, cover_affine = 0;
+
+  // Of meshes that deform (scene/deform.h).
+  Rows<Influence> influences;         ///< by the joints of a skin
+  uint32_t joint_count = 0;           ///< a skin has so many joints at least
+  std::vector<JointBox> joint_boxes;  ///< of every joint that has influence, by rising number
+  Rows<Displacement> displacements;   ///< by morph targets
+  uint32_t target_count = 0;
+  std::vector<Bounds> target_boxes;  ///< all displacements of each target
+  std::vector<float> weights;        ///< of the targets, where neither node nor animation has others
+};
+
+/// Joint j of a skin turns a mesh's vertices by the world matrix of its node times inverse_bind[j].
+struct Skin {
+  std::vector<uint32_t> joints;  ///< nodes
+  std::vector<glm::mat4> inverse_bind;
+  bool has_own_node = false;  ///< the last joint is the instance's node, for vertices that no joint moves
 };
 
 struct Transform {
@@ -66,10 +116,13 @@ struct Node {
   std::optional<uint32_t> parent;
   Transform transform;
   std::optional<glm::mat4> matrix;  ///< used in place of `transform`
+  std::vector<float> weights;       ///< of its mesh's morph targets; empty: the mesh's own
+  bool visible = true;              ///< else nothing below it is drawn or shines (KHR_node_visibility)
 };
 
 struct Instance {
   uint32_t mesh = 0, node = 0;
+  std::optional<uint32_t> skin = {};  ///< its joints then place the mesh, and not its node
 };
 
 enum class LightType : uint32_t { point = 0, spot = 1, directional = 2 };
@@ -96,14 +149,21 @@ struct Camera {
 };
 
 enum class Interpolation { step, linear, cubic_spline };
-enum class Path { translation, rotation, scale };
+
+/// What an animation drives: a property (a row of scene/properties.h) of an element of one of the scene's lists.
+enum class Driven { node, light, camera, material };
+struct Target {
+  Driven driven = Driven::node;
+  uint32_t object = 0, property = 0;
+  auto operator<=>(const Target&) const = default;
+};
 
 struct Channel {
-  uint32_t node = 0;
-  Path path = Path::translation;
+  Target target;
   Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times;       ///< seconds, rising
-  std::vector<glm::vec4> values;  ///< one for each time; for cubic_spline three: in-tangent, value, out-tangent
+  uint32_t width = 3;         ///< numbers a value
+  std::vector<float> times;   ///< seconds, rising
+  std::vector<float> values;  ///< one value a time; for cubic_spline three: in-tangent, value, out-tangent
 };
 
 struct Animation {
@@ -112,10 +172,33 @@ struct Animation {
   float duration = 0;  ///< seconds
 };
 
-/// How the scene stands in a frame: world transforms of instances, lights and cameras, in the order of the scene's
-/// lists.
-struct Pose {
-  std::vector<glm::mat4> instances, lights, cameras;
+/// Where all drawn geometry is in a frame. What is built over it is up to date as long as this stays the same.
+struct GeometryPose {
+  std::vector<glm::mat4> instances;  ///< world transforms; of a skinned one the identity, for its joints have its place
+  std::vector<std::vector<glm::mat4>> joints;  ///< of each skin
+  std::vector<std::vector<float>> weights;     ///< of each instance's morph targets
+  std::vector<bool> hidden;                    ///< instances of which nothing is seen; empty: none
+  bool operator==(const GeometryPose&) const = default;
+};
+
+/// What animations have changed besides, by index into the scene's lists.
+struct Changes {
+  std::map<uint32_t, Light> lights;
+  std::map<uint32_t, Camera> cameras;
+  std::map<uint32_t, Material> materials;
+};
+
+/// Element i of one of the scene's lists as it is changed.
+template <class T>
+[[nodiscard]] const T& changed_or(const std::map<uint32_t, T>& changed, const std::vector<T>& list, uint32_t i) {
+  const auto found = changed.find(i);
+  return found == changed.end() ? list[i] : found->second;
+}
+
+/// How the scene stands in a frame: in the order of the scene's lists.
+struct Pose : GeometryPose {
+  std::vector<glm::mat4> lights, cameras;  ///< world transforms
+  Changes changes;
 };
 
 struct Scene {
@@ -124,6 +207,7 @@ struct Scene {
   std::array<uint32_t, uv_sets> texcoords = {0, 1, 2};  ///< the N of the TEXCOORD_N that Mesh::uv are
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
+  std::vector<Skin> skins;
   std::vector<Material> materials;  ///< the last one is glTF's default material
   std::vector<Texture> textures;
   std::vector<Image> images;
@@ -136,11 +220,10 @@ struct Scene {
 
   /// How many triangles are drawn, those of a mesh once for each instance.
   [[nodiscard]] uint64_t triangle_count() const;
-  /// The animation with this index or name; for an empty text the first, if any. Throws UserError that lists them.
-  [[nodiscard]] std::optional<uint32_t> find_animation(const std::string& which) const;
-  /// World transforms at `seconds` of an animation; without one, those of the nodes as the file has them.
-  [[nodiscard]] Pose pose(double seconds, std::optional<uint32_t> animation) const;
-  /// World bounds of all drawn geometry in this pose (empty for an empty scene).
+  /// At `seconds` of these animations (scene/playing.h), the later ones over the earlier; without any, as the file has
+  /// it.
+  [[nodiscard]] Pose pose(double seconds, const std::vector<uint32_t>& animations) const;
+  /// World bounds of all drawn geometry in this pose, deformed as it is (empty for an empty scene).
   [[nodiscard]] Bounds bounds(const Pose& pose) const;
 };
 

@@ -30,7 +30,7 @@ void set_pivot(Model& model, glm::vec2 place) {
   if (!model.scene()) return;
   model.begin_own_view();
   const auto hidden = scene::hidden_instances(*model.scene(), model.command.options.hidden);
-  const scene::Pose pose = model.scene()->pose(model.seconds, model.animation());
+  const scene::Pose pose = model.scene()->pose(model.seconds, model.animations());
   const auto point = pick(*model.scene(), pose, hidden, model.camera.sight(place, model.aspect()));
   if (!point) return;
   model.camera.look_at(*point);
@@ -107,7 +107,7 @@ void Input::handle_key(Model& model, const KeyPress& press, std::vector<Action>&
     case '5':
     case GLFW_KEY_KP_5: return model.change_projection();
     case GLFW_KEY_TAB: return model.next_camera(), model.view_moved();
-    case GLFW_KEY_SPACE: return void(model.playing = model.animation() && !model.playing);
+    case GLFW_KEY_SPACE: return void(model.playing = !model.animations().empty() && !model.playing);
     case 'H': return void(model.keys_help = !model.keys_help);
     case 'N': return void(model.panels = !model.panels);
     case GLFW_KEY_ESCAPE: return void(model.keys_help = false);

@@ -9,6 +9,7 @@
 #include "raster/camera.h"
 #include "scene/device/world_lights.h"
 #include "scene/hide.h"
+#include "scene/playing.h"
 #include "trace/tracers.h"
 
 namespace crsh::viewer {
@@ -28,10 +29,9 @@ void forget_scene(RenderOptions& options) {
 }
 
 raster::CameraView view_of(const Model& m) {
-  const std::optional<uint32_t> animation = m.animation();
   RenderOptions options = m.command.options;
   options.width = std::max(m.area.width, 1u), options.height = std::max(m.area.height, 1u);
-  return raster::camera_view(*m.scene(), m.scene()->pose(m.seconds, animation), options, m.bounds,
+  return raster::camera_view(*m.scene(), m.scene()->pose(m.seconds, m.animations()), options, m.bounds,
                              {options.width, options.height});
 }
 
@@ -58,13 +58,20 @@ Model::Model(const Arguments& given) : arguments(given), command(given.render), 
   if (!given.render.scene.empty()) path = given.render.scene, load = 1;
 }
 
-std::optional<uint32_t> Model::animation() const {
-  if (!scene() || scene()->animations.empty()) return {};
+const std::vector<uint32_t>& Model::animations() const {
   const std::string& which = command.options.animation;
-  for (uint32_t i = 0; i < scene()->animations.size(); ++i)
-    if (which == scene()->animations[i].name || which == std::to_string(i)) return i;
-  return 0;
+  if (playing_.loaded == loaded && playing_.which == which) return playing_.animations;
+  playing_ = {loaded, which, {}};
+  if (!scene()) return playing_.animations;
+  try {
+    playing_.animations = scene::playing(*scene(), which).animations;
+  } catch (const UserError&) {
+    playing_.animations = scene::playing(*scene(), "").animations;
+  }
+  return playing_.animations;
 }
+
+float Model::duration() const { return scene() ? scene::duration(*scene(), animations()) : 0; }
 
 void Model::say(const std::string& text, bool error) {
   messages.push_back({text, error, Clock::now() + (error ? 12s : 5s)});
@@ -84,7 +91,7 @@ void Model::take(const LoadedPtr& scene_) {
     forget_scene(command.options);
     own_view = false, seconds = 0, playing = false;
   }
-  bounds = scene()->bounds(scene()->pose(0, animation()));
+  bounds = scene()->bounds(scene()->pose(0, animations()));
   command.scene = scene()->path.string();
   if (again) {
     try {
@@ -137,14 +144,14 @@ void Model::next_camera() {
 void Model::frame_all() {
   begin_own_view();
   if (!scene()) return;
-  camera.frame(scene()->bounds(scene()->pose(seconds, animation())), aspect());
+  camera.frame(scene()->bounds(scene()->pose(seconds, animations())), aspect());
   view_moved();
 }
 
 void Model::change_projection() {
   begin_own_view();
   if (!scene()) return;
-  camera.change_projection(scene()->bounds(scene()->pose(seconds, animation())));
+  camera.change_projection(scene()->bounds(scene()->pose(seconds, animations())));
   say(camera.orthographic ? "orthographic" : "perspective");
   view_moved();
 }

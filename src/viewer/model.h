@@ -70,7 +70,10 @@ struct Model {
   [[nodiscard]] bool two_pictures() const { return split && !(other == command.options.algorithm); }
   /// The algorithm's rays go through one, whose boxes can be shown.
   [[nodiscard]] bool has_object_hierarchy() const;
-  [[nodiscard]] std::optional<uint32_t> animation() const;
+  /// Those of the scene that play.
+  [[nodiscard]] const std::vector<uint32_t>& animations() const;
+  /// Seconds until they have all ended.
+  [[nodiscard]] float duration() const;
 
   void say(const std::string& text, bool error = false);
   void open(const std::string& new_path);
@@ -91,6 +94,15 @@ struct Model {
   [[nodiscard]] double exposure() const;
   [[nodiscard]] bool moving() const;
   [[nodiscard]] Wish wish() const;
+
+ private:
+  /// What animations() found last, and for what.
+  struct Playing {
+    LoadedPtr loaded;
+    std::string which;
+    std::vector<uint32_t> animations;
+  };
+  mutable Playing playing_;
 };
 
 }  // namespace crsh::viewer

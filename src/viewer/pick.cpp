@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/deform.h"
+
 namespace crsh::viewer {
 namespace {
 
@@ -30,15 +32,16 @@ float distance_to(const Sight& ray, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
 std::optional<glm::vec3> pick(const scene::Scene& scene, const scene::Pose& pose, const std::vector<bool>& hidden,
                               const Sight& sight) {
   float nearest = std::numeric_limits<float>::infinity();
-  for (size_t i = 0; i < scene.instances.size(); ++i) {
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     const glm::mat4 inverse =
         glm::inverse(pose.instances[i]);  // not finite for a flattened instance, which is then never hit
     const Sight ray{glm::vec3(inverse * glm::vec4(sight.origin, 1)),
                     glm::vec3(inverse * glm::vec4(sight.direction, 0))};
-    if (hidden[i] || !meets(mesh.sphere, ray)) continue;
+    if (hidden[i] || !meets(scene::posed_sphere(scene, pose, i), sight)) continue;
+    const std::vector<glm::vec3> positions = scene::posed_positions(scene, pose, i);
     for (const glm::uvec3& t : mesh.triangles)
-      nearest = std::min(nearest, distance_to(ray, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+      nearest = std::min(nearest, distance_to(ray, positions[t.x], positions[t.y], positions[t.z]));
   }
   if (!std::isfinite(nearest)) return {};
   return sight.origin + sight.direction * nearest;

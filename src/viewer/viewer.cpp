@@ -77,8 +77,8 @@ void Viewer::play() {
   const auto now = Clock::now();
   const double passed = std::chrono::duration<double>(now - last_frame_).count();
   last_frame_ = now;
-  if (!model_.playing || !model_.animation()) return;
-  const double duration = std::max(double(model_.scene()->animations[*model_.animation()].duration), 1e-3);
+  if (!model_.playing || model_.animations().empty()) return;
+  const double duration = std::max(double(model_.duration()), 1e-3);
   model_.seconds = double(float(std::fmod(model_.seconds + std::min(passed, 0.5), duration)));
 }
 

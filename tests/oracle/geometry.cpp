@@ -5,15 +5,15 @@
 #include <bit>
 
 #include "gpu/recorder.h"
+#include "scene/deform.h"
 #include "scene/device/upload.h"
+#include "scene/playing.h"
 #include "support/device.h"
 
 namespace crsh::test {
 namespace {
 
-scene::Pose first_pose(const scene::Scene& scene) {
-  return scene.pose(0, scene.animations.empty() ? std::nullopt : std::optional<uint32_t>(0));
-}
+scene::Pose first_pose(const scene::Scene& scene) { return scene.pose(0, scene::playing(scene, "").animations); }
 
 /// Farther than a few roundings of float32 that begin with numbers of this size.
 bool apart(const glm::vec3& found, const glm::dvec3& wanted, double size) {
@@ -58,18 +58,19 @@ std::vector<OracleTriangle> oracle_triangles(const scene::Scene& scene) {
 std::string difference_from_scene(const std::vector<OracleTriangle>& triangles, const scene::Scene& scene) {
   const scene::Pose pose = first_pose(scene);
   size_t i = 0;
-  for (size_t instance = 0; instance < scene.instances.size(); ++instance) {
+  for (uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
     const glm::mat4& m = pose.instances[instance];
-    const bool mirrored = glm::determinant(glm::dmat3(m)) < 0;
+    const bool mirrored = scene::is_mirrored(scene, pose, instance);
+    const std::vector<glm::vec3> positions = scene::posed_positions(scene, pose, instance);
     for (size_t t = 0; t < mesh.triangles.size(); ++t, ++i) {
       if (i >= triangles.size()) return "triangles are missing";
       const OracleTriangle& found = triangles[i];
       glm::uvec3 corners = mesh.triangles[t];
       if (mirrored) std::swap(corners.y, corners.z);
-      const bool corners_agree = same_corner(found.a, m, mesh.positions[corners.x]) &&
-                                 same_corner(found.b, m, mesh.positions[corners.y]) &&
-                                 same_corner(found.c, m, mesh.positions[corners.z]);
+      const bool corners_agree = same_corner(found.a, m, positions[corners.x]) &&
+                                 same_corner(found.b, m, positions[corners.y]) &&
+                                 same_corner(found.c, m, positions[corners.z]);
       if (!corners_agree) return fmt::format("triangle {} stands elsewhere", i);
       const scene::Material& material = scene.materials[mesh.materials[t]];
       const bool solid = material.transmission > 0 && material.thickness > 0;  // its inside is seen as well

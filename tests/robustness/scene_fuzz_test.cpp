@@ -6,7 +6,9 @@
 
 #include "../unit/scene_file.h"
 #include "crsh/error.h"
+#include "scene/deform.h"
 #include "scene/gltf/load.h"
+#include "scene/playing.h"
 
 using namespace crsh;
 using test::Folder;
@@ -31,25 +33,33 @@ GltfText everything() {
                     R"(,"componentType":5121},"values":{"bufferView":)" + std::to_string(values) + "}}");
   file.values<float>("SCALAR", 5126, 2, {0, 1});
   file.values<float>("VEC4", 5126, 2, {0, 0, 0, 1, 0, 1, 0, 0});
-  file.values<float>("MAT4", 5126, 1, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+  file.values<float>("MAT4", 5126, 2, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,  //
+                                       1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+  file.values<uint8_t>("VEC4", 5121, 4, {0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0});
+  file.values<uint8_t>("VEC4", 5121, 4, {128, 127, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 9, 0, 0, 0},
+                       R"(,"normalized":true)");
+  file.values<float>("SCALAR", 5126, 4, {0, 1, 1, 0});
   file.primitives =
-      R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"COLOR_0":3},"indices":4,"material":0},
+      R"({"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"COLOR_0":3,"JOINTS_0":9,"WEIGHTS_0":10},"indices":4,
+"material":0,"targets":[{"POSITION":1},{"POSITION":5,"NORMAL":1}]},
 {"attributes":{"POSITION":5},"mode":5})";
   file.nodes =
-      R"({"children":[1,2,3]},{"mesh":0,"skin":0},{"camera":0,"rotation":[0,0,0,1]},{"mesh":0,
-"extensions":{"KHR_lights_punctual":{"light":0}}})";
+      R"({"children":[1,2,3]},{"mesh":0,"skin":0,"weights":[0.5,0]},{"camera":0,"rotation":[0,0,0,1]},{"mesh":0,
+"extensions":{"KHR_node_visibility":{"visible":true},"KHR_lights_punctual":{"light":0}}})";
   file.more =
       R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,1]}}],
 "textures":[{"source":0,"sampler":0}],
     "samplers":[{"wrapS":33071}],
 "images":[{"uri":"data:image/png;base64,)"
       R"(iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="}],
-    "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],"skins":[{"joints":[2],
+    "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],"skins":[{"joints":[2,3],
 "inverseBindMatrices":8}],
     "extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot",
 "spot":{}}]}},
-    "animations":[{"channels":[{"sampler":0,"target":{"node":3,"path":"rotation"}}],"samplers":[{"input":6,
-"output":7}]}])";
+    "animations":[{"channels":[{"sampler":0,"target":{"node":3,"path":"rotation"}},
+{"sampler":1,"target":{"node":1,"path":"weights"}},{"sampler":2,"target":{"path":"pointer","extensions":
+{"KHR_animation_pointer":{"pointer":"/materials/0/pbrMetallicRoughness/roughnessFactor"}}}}],
+"samplers":[{"input":6,"output":7},{"input":6,"output":11},{"input":6,"output":6}]}])";
   return file;
 }
 
@@ -57,10 +67,9 @@ GltfText everything() {
 bool loads(const Folder& folder, const std::string& content) {
   try {
     const scene::Scene scene = scene::load(folder.write("scene", content));
-    const scene::Pose pose = scene.pose(0.5, scene.animations.empty() ? std::nullopt : std::optional(0u));
+    const scene::Pose pose = scene.pose(0.5, scene::playing(scene, "").animations);
     (void)scene.bounds(pose);
-    for (size_t i = 0; i < pose.instances.size(); ++i)
-      (void)scene::transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
+    for (uint32_t i = 0; i < pose.instances.size(); ++i) (void)scene::posed_sphere(scene, pose, i);
     return true;
   } catch (const UserError& error) {
     return false;
@@ -89,8 +98,10 @@ TEST_CASE("the file that is damaged below is whole") {
   const scene::Scene scene = everything().load();
   CHECK(scene.triangle_count() == 8);
   CHECK(scene.images.size() == 1);
-  CHECK(scene.animations.at(0).channels.size() == 1);
-  CHECK(scene.unsupported == std::vector<std::string>{"skins (drawn in bind pose)"});
+  CHECK(scene.animations.at(0).channels.size() == 3);
+  CHECK(scene.skins.back().joints.size() == 3);  // the second primitive has no joints
+  CHECK(scene.meshes.at(0).target_count == 2);
+  CHECK(scene.unsupported.empty());
 }
 
 TEST_CASE("truncated files return or are refused") {

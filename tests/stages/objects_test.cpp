@@ -9,6 +9,7 @@
 
 #include "bench/binned_sah.h"
 #include "objects/hierarchy.h"
+#include "scene/deform.h"
 #include "shared/counters.h"
 #include "shared/object.h"
 #include "support/cases_trace.h"
@@ -40,8 +41,8 @@ struct Built {
 
   void update() {
     scene = make_scene(recorder, objects);
-    std::vector<glm::mat4> pose;
-    for (const Object& object : objects) pose.push_back(object.transform);
+    scene::GeometryPose pose;
+    for (const Object& object : objects) pose.instances.push_back(object.transform);
     objects::update(recorder, {scene, pose, submit_work}, hierarchy);
   }
   Tree tree() { return tree_of(recorder, hierarchy); }
@@ -85,9 +86,10 @@ Triangles concentric(uint32_t count) {
 Triangles drawn_triangles(const scene::Scene& scene) {
   const scene::Pose pose = scene.pose(0, {});
   Triangles triangles;
-  for (size_t i = 0; i < scene.instances.size(); ++i) {
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh];
-    const auto corner = [&](uint32_t v) { return glm::vec3(pose.instances[i] * glm::vec4(mesh.positions[v], 1)); };
+    const std::vector<glm::vec3> positions = scene::posed_positions(scene, pose, i);
+    const auto corner = [&](uint32_t v) { return glm::vec3(pose.instances[i] * glm::vec4(positions[v], 1)); };
     for (const glm::uvec3& t : mesh.triangles) triangles.push_back({corner(t.x), corner(t.y), corner(t.z)});
   }
   return triangles;

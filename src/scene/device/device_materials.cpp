@@ -38,9 +38,14 @@ uint32_t fixed_minus_log2(double through) {
 
 bool transmits(const Material& material) { return material.transmission > 0 && material.metallic < 1; }
 
+/// At some time of an animation.
+bool may_transmit(const Material& material) { return transmits(material) || material.may_transmit; }
+
 /// Whether it is a solid that bends rays. Rays must hit its far side from inside, even where the material is not
 /// doubleSided.
-bool is_solid(const Material& material) { return material.transmission > 0 && material.thickness > 0; }
+bool is_solid(const Material& material) {
+  return (material.transmission > 0 || material.may_transmit) && material.thickness > 0;
+}
 
 /// All flags of a texture's word but the page and the number of levels.
 uint32_t flags_of(const Texture& texture, bool srgb) {
@@ -136,13 +141,9 @@ uint32_t flags_of(const Material& material) {
 
 shared::Material device_material(const Scene& scene, const Material& material) {
   shared::Material out{};
-  out.base_colour = material.base_colour;
-  out.emissive_metallic = glm::vec4(material.emissive, material.metallic);
-  out.body = {material.roughness, material.transmission, material.ior, material.thickness};
-  out.detail = {material.normal_scale, material.occlusion_strength, material.alpha_cutoff, 0};
   out.lobes = shared::none;
   out.flags = flags_of(material);
-  out.tint = tint_of(scene, material);
+  set_factors(scene, material, out);
   return out;
 }
 
@@ -165,6 +166,14 @@ shared::Lobes device_lobes(const Material& m) {
 
 }  // namespace
 
+void set_factors(const Scene& scene, const Material& material, shared::Material& out) {
+  out.base_colour = material.base_colour;
+  out.emissive_metallic = glm::vec4(material.emissive, material.metallic);
+  out.body = {material.roughness, material.transmission, material.ior, material.thickness};
+  out.detail = {material.normal_scale, material.occlusion_strength, material.alpha_cutoff, 0};
+  out.tint = tint_of(scene, material);
+}
+
 glm::uvec4 tint_of(const Scene& scene, const Material& material) {
   if (!transmits(material)) return glm::uvec4(0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0);
   const double metallic = material.metallic * mean(scene, material.texture(Slot::metallic_roughness), false).b;
@@ -178,7 +187,7 @@ uint32_t flagged_material(const Scene& scene, uint32_t index) {
   const Material& material = scene.materials[index];
   uint32_t word = index;
   if (!material.double_sided && !is_solid(material)) word |= shared::triangle_cull_back;
-  if (transmits(material)) word |= shared::triangle_transmissive;
+  if (may_transmit(material)) word |= shared::triangle_transmissive;
   return word;
 }
 

@@ -21,6 +21,9 @@ struct DeviceMaterials {
 /// All materials, with the textures that they use; images that none uses are left out.
 [[nodiscard]] DeviceMaterials device_materials(const Scene& scene, uint64_t page_texels);
 
+/// Gives the device's material all that animations may change: everything but its textures.
+void set_factors(const Scene& scene, const Material& material, shared::Material& out);
+
 /// The material's index with the flags of shared/scene.h, as it is stored in the w of a triangle's first corner.
 [[nodiscard]] uint32_t flagged_material(const Scene& scene, uint32_t material);
 

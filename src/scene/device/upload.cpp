@@ -5,24 +5,15 @@
 #include <algorithm>
 
 #include "crsh/error.h"
+#include "scene/deform.h"
 #include "scene/device/device_materials.h"
+#include "scene/device/storage.h"
 #include "scene/packed.h"
 #include "shared/limits.h"
 #include "shared/scene.h"
 
 namespace crsh::scene {
 namespace {
-
-/// Where each mesh's triangles begin among the stored ones, in the order of the meshes.
-std::vector<uint32_t> first_triangles(const Scene& scene) {
-  std::vector<uint32_t> first;
-  uint32_t next = 0;
-  for (const Mesh& mesh : scene.meshes) {
-    first.push_back(next);
-    next += uint32_t(mesh.triangles.size());
-  }
-  return first;
-}
 
 /// One line where there are more than `most`.
 void require_at_most(const gpu::Device& device, const Scene& scene, uint64_t count, uint64_t most, const char* what) {
@@ -43,14 +34,19 @@ void require_texels(const gpu::Device& device, const Scene& scene, uint64_t coun
                   what);
 }
 
-void require_bindings(const gpu::Device& device, const Scene& scene) {
-  uint64_t vertices = 0, triangles = 0;
-  for (const Mesh& mesh : scene.meshes) {
-    vertices += mesh.positions.size();
-    triangles += mesh.triangles.size();
-  }
-  require_texels(device, scene, vertices, sizeof(shared::Vertex) / 16, "vertices");
-  require_texels(device, scene, triangles, sizeof(shared::StoredTriangle) / 16, "triangles");
+/// Of what deforms.
+void require_posed(const gpu::Device& device, const Scene& scene) {
+  const PosedSizes sizes = posed_sizes(scene);
+  require_binding(device, scene, sizes.rest, sizeof(shared::RestVertex), "vertices that deform");
+  require_binding(device, scene, sizes.influences, sizeof(shared::Influence), "influences of joints");
+  require_binding(device, scene, sizes.displacements, sizeof(shared::Displacement), "displacements by morph targets");
+  require_binding(device, scene, sizes.joints, 3 * sizeof(glm::vec4), "joints");
+}
+
+void require_bindings(const gpu::Device& device, const Scene& scene, const Storage& storage) {
+  require_texels(device, scene, storage.vertices, sizeof(shared::Vertex) / 16, "vertices");
+  require_texels(device, scene, storage.triangles, sizeof(shared::StoredTriangle) / 16, "triangles");
+  require_posed(device, scene);
   const uint64_t max_drawn = std::min(device.limits().max_binding / sizeof(glm::vec4), device.limits().max_texels);
   require_at_most(device, scene, scene.triangle_count(), max_drawn, "drawn triangles");
   require_binding(device, scene, scene.instances.size(), sizeof(shared::Instance), "objects");
@@ -80,12 +76,13 @@ shared::Vertex device_vertex(const Mesh& mesh, size_t v) {
           {uv_of(mesh, 0, v), uv_of(mesh, 1, v), uv_of(mesh, 2, v)}};
 }
 
-void upload_meshes(gpu::Device& device, const Scene& scene, GpuScene& out) {
+void upload_meshes(gpu::Device& device, const Scene& scene, const Storage& storage, GpuScene& out) {
   std::vector<glm::vec3> positions;
   std::vector<shared::Vertex> vertices;
   std::vector<shared::StoredTriangle> triangles;
-  for (const Mesh& mesh : scene.meshes) {
-    const glm::uvec3 base(uint32_t(positions.size()));
+  for (const StoredMesh& stored : storage.meshes) {
+    const Mesh& mesh = scene.meshes[stored.mesh];
+    const glm::uvec3 base(stored.first_vertex);
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
       triangles.push_back(
           {mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]), uv_metrics(mesh, t), 0});
@@ -99,14 +96,13 @@ void upload_meshes(gpu::Device& device, const Scene& scene, GpuScene& out) {
 
 /// Uploads the drawn triangles, those of a mesh once for each instance, and the blocks in which the top level of the
 /// traversal takes them.
-void upload_instances(gpu::Device& device, const Scene& scene, GpuScene& out) {
-  const std::vector<uint32_t> first = first_triangles(scene);
+void upload_instances(gpu::Device& device, const Scene& scene, const Storage& storage, GpuScene& out) {
   std::vector<shared::Source> sources;
   std::vector<glm::uvec4> blocks;
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const uint32_t mesh = scene.instances[i].mesh, drawn = uint32_t(sources.size());
-    const uint32_t count = uint32_t(scene.meshes[mesh].triangles.size());
-    for (uint32_t t = 0; t < count; ++t) sources.push_back({i, first[mesh] + t});
+    const StoredMesh& stored = storage.meshes[storage.of_instance[i]];
+    const uint32_t drawn = uint32_t(sources.size()), count = uint32_t(scene.meshes[stored.mesh].triangles.size());
+    for (uint32_t t = 0; t < count; ++t) sources.push_back({i, stored.first_triangle + t});
     for (uint32_t t = 0; t < count; t += shared::block_triangles)
       blocks.emplace_back(i, drawn + t, std::min(shared::block_triangles, count - t), 0);
   }
@@ -123,6 +119,7 @@ void upload_materials(gpu::Device& device, const Scene& scene, GpuScene& out) {
   require_texels(device, scene, all.textures.size(), 1, "textures");
   require_texels(device, scene, all.materials.size(), 6, "materials");
   out.materials = gpu::upload(device, all.materials, "materials");
+  out.given_materials = std::move(all.materials);
   out.textures = gpu::upload(device, all.textures, "textures");
   out.texture_uses = gpu::upload(device, all.uses, "texture uses");
   out.lobes = gpu::upload(device, all.lobes, "lobes");
@@ -191,20 +188,36 @@ void include(Bounds& bounds, const Sphere& sphere) {
   bounds.high = glm::max(bounds.high, sphere.centre + sphere.radius);
 }
 
+void include(Bounds& bounds, const Bounds& other) {
+  bounds.low = glm::min(bounds.low, other.low);
+  bounds.high = glm::max(bounds.high, other.high);
+}
+
 template <class T>
 void write(gpu::Device& device, gpu::Buffer& target, const std::vector<T>& values) {
   if (!values.empty()) gpu::upload_bytes(device, target, 0, values.data(), values.size() * sizeof(T));
+}
+
+/// The instance's sphere; of one that deforms nothing yet, because bound_posed() finds it, but its bounds are included.
+glm::vec4 move_sphere(GpuScene& target, const Scene& scene, const Pose& pose, uint32_t i) {
+  const bool hidden = !pose.hidden.empty() && pose.hidden[i];
+  if (deforms(scene, scene.instances[i])) {
+    if (!hidden) include(target.bounds, posed_bounds(scene, pose, i));
+    return glm::vec4(0);
+  }
+  const Sphere sphere = transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
+  if (sphere.radius > 0 && !hidden) include(target.bounds, sphere);
+  return {sphere.centre, sphere.radius};
 }
 
 void move_objects(gpu::Device& device, GpuScene& target, const Scene& scene, const Pose& pose) {
   std::vector<shared::Instance> instances;
   std::vector<glm::vec4> spheres;
   target.bounds = {};
-  for (size_t i = 0; i < scene.instances.size(); ++i) {
-    const Sphere sphere = transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     instances.push_back(device_instance(pose.instances[i]));
-    spheres.emplace_back(sphere.centre, sphere.radius);
-    if (sphere.radius > 0) include(target.bounds, sphere);
+    if (scene.instances[i].skin) instances.back().normal0.w = is_mirrored(scene, pose, i) ? 1.0f : 0.0f;
+    spheres.push_back(move_sphere(target, scene, pose, i));
   }
   write(device, target.instances, instances);
   write(device, target.object_spheres, spheres);
@@ -218,13 +231,25 @@ void move_lights(gpu::Device& device, GpuScene& target, const Scene& scene, cons
   write(device, target.lights, lights);
 }
 
+/// Gives materials what animations have made of them; what they have changed before is as the file has it again.
+void change_materials(gpu::Device& device, GpuScene& target, const Scene& scene, const Pose& pose) {
+  const auto& changes = pose.changes.materials;
+  if (changes.empty() && !target.materials_changed) return;
+  std::vector<shared::Material> materials = target.given_materials;
+  for (const auto& [index, material] : changes) set_factors(scene, material, materials[index]);
+  write(device, target.materials, materials);
+  target.materials_changed = !changes.empty();
+}
+
 }  // namespace
 
 GpuScene upload(gpu::Device& device, const Scene& scene) {
-  require_bindings(device, scene);
+  const Storage storage = storage_of(scene);
+  require_bindings(device, scene, storage);
   GpuScene out;
-  upload_meshes(device, scene, out);
-  upload_instances(device, scene, out);
+  upload_meshes(device, scene, storage, out);
+  upload_instances(device, scene, storage, out);
+  out.posed = upload_posed(device, scene, storage);
   upload_materials(device, scene, out);
   reserve_moved(device, out);
   out.tables = tables_of(device, out);
@@ -235,6 +260,9 @@ void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, cons
   recorder.submit();  // first, because recorded commands may still read what is overwritten now
   move_objects(recorder.device(), target, scene, pose);
   move_lights(recorder.device(), target, scene, pose, lights);
+  change_materials(recorder.device(), target, scene, pose);
+  write_pose(recorder.device(), scene, pose, target.posed);
+  deform(recorder, target);
   const uint32_t push = target.triangle_count;
   recorder.dispatch("scene/animate", target.triangle_count, push,
                     {{"sources", target.sources},
@@ -245,6 +273,7 @@ void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, cons
                      {"corner_b", target.corner_b},
                      {"corner_c", target.corner_c},
                      {"triangle_spheres", target.triangle_spheres}});
+  bound_posed(recorder, target);
 }
 
 }  // namespace crsh::scene

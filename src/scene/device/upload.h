@@ -9,9 +9,11 @@
 #include "gpu/buffer.h"
 #include "gpu/buffer_set.h"
 #include "gpu/recorder.h"
+#include "scene/device/posed.h"
 #include "scene/device/texel_pages.h"
 #include "scene/device/world_lights.h"
 #include "scene/scene.h"
+#include "shared/scene.h"
 
 namespace crsh::scene {
 
@@ -19,19 +21,22 @@ namespace crsh::scene {
 /// stands for an empty list.
 struct GpuScene {
   // From upload().
-  gpu::Buffer positions;                             ///< vec3 a stored vertex, object space
-  gpu::Buffer vertices;                              ///< shared::Vertex a stored vertex
-  gpu::Buffer triangles;                             ///< shared::StoredTriangle
-  gpu::Buffer sources;                               ///< shared::Source a drawn triangle
-  gpu::Buffer materials;                             ///< shared::Material
-  gpu::Buffer textures;                              ///< shared::Texture
-  gpu::Buffer texture_uses;                          ///< shared::TextureUse
-  gpu::Buffer lobes;                                 ///< shared::Lobes
+  gpu::Buffer positions;     ///< vec3 a stored vertex, object space, where it does not deform (scene/device/storage.h)
+  gpu::Buffer vertices;      ///< shared::Vertex a stored vertex, likewise
+  gpu::Buffer triangles;     ///< shared::StoredTriangle
+  gpu::Buffer sources;       ///< shared::Source a drawn triangle
+  gpu::Buffer materials;     ///< shared::Material
+  gpu::Buffer textures;      ///< shared::Texture
+  gpu::Buffer texture_uses;  ///< shared::TextureUse
+  gpu::Buffer lobes;         ///< shared::Lobes
   std::array<gpu::Buffer, texel_page_count> texels;  ///< RGBA8 a word
   gpu::Buffer blocks;           ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
   uint32_t triangle_count = 0;  ///< drawn
   uint32_t instance_count = 0, block_count = 0;
-  std::vector<std::string> notes;  ///< for stderr
+  std::vector<std::string> notes;                 ///< for stderr
+  PosedTables posed;                              ///< what deforms
+  std::vector<shared::Material> given_materials;  ///< as the file has them; animations change their factors
+  bool materials_changed = false;
 
   // From animate().
   gpu::Buffer instances;                     ///< shared::Instance
@@ -40,7 +45,7 @@ struct GpuScene {
   gpu::Buffer object_spheres;  ///< vec4 an instance: centre and radius, outside of all its triangles' spheres
   gpu::Buffer lights;          ///< shared::Light
   uint32_t light_count = 0;
-  Bounds bounds;  ///< of all object spheres in this pose
+  Bounds bounds;  ///< of all object spheres in this pose, of what deforms the bounds of its joints
 
   gpu::BufferSet tables;  ///< what shading reads of all these, bound together: shaders/scene/tables.glsl
 };
@@ -48,7 +53,8 @@ struct GpuScene {
 /// Throws UserError where a list outgrows what the device can bind, and gpu::OutOfMemory.
 [[nodiscard]] GpuScene upload(gpu::Device& device, const Scene& scene);
 
-/// Section 3.2.1: moves triangles, spheres and lights to where they are in this pose. Submits what is recorded.
+/// Section 3.2.1: deforms what deforms, and moves triangles, spheres and lights to where they are in this pose. Submits
+/// what is recorded.
 void animate(gpu::Recorder& recorder, GpuScene& target, const Scene& scene, const Pose& pose, const LightRig& lights);
 
 }  // namespace crsh::scene

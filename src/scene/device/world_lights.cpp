@@ -52,7 +52,8 @@ glm::vec3 shines_along(const glm::mat4& transform) {
 /// Scale and offset of the angular attenuation, as KHR_lights_punctual suggests; 0 and 1 do nothing.
 glm::vec4 cone_of(const Light& light) {
   if (light.type != LightType::spot) return {0, 1, 0, 0};
-  const float scale = 1 / std::max(0.001f, std::cos(light.inner_cone) - std::cos(light.outer_cone));
+  const float inner = std::min(light.inner_cone, light.outer_cone);
+  const float scale = 1 / std::max(0.001f, std::cos(inner) - std::cos(light.outer_cone));
   return {scale, -std::cos(light.outer_cone) * scale, 0, 0};
 }
 
@@ -78,8 +79,8 @@ std::vector<shared::Light> world_lights(const Scene& scene, const Pose& pose, co
                                         const Bounds& bounds) {
   if (!rig.fixed.empty()) return rig.fixed;
   std::vector<shared::Light> lights;
-  for (size_t i = 0; i < scene.lights.size(); ++i)
-    lights.push_back(world_light(scene.lights[i], pose.lights[i], bounds));
+  for (uint32_t i = 0; i < scene.lights.size(); ++i)
+    lights.push_back(world_light(changed_or(pose.changes.lights, scene.lights, i), pose.lights[i], bounds));
   return lights;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Reads the animations of nodes.
+// Reads animations.
 
+#include "scene/gltf/attachments.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/fault.h"
 #include "scene/gltf/nodes.h"
@@ -8,7 +9,13 @@
 
 namespace crsh::scene {
 
-/// Fills animations, in glTF's order. Channels of nodes that the scene does not reach are left out.
-void read_animations(Document& document, const NodeMap& nodes, Scene& scene, Notes& notes);
+/// Where the file's nodes, cameras and lights are in the scene. Materials have the same places.
+struct Places {
+  const NodeMap& nodes;
+  FilePlaces cameras, lights;
+};
+
+/// Fills animations, in glTF's order. Channels of what the scene does not reach are left out. After all else is read.
+void read_animations(Document& document, const Places& places, Scene& scene, Notes& notes);
 
 }  // namespace crsh::scene

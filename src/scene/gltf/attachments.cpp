@@ -5,39 +5,16 @@
 #include <map>
 #include <numbers>
 
-#include "scene/gltf/accessor.h"
 #include "scene/gltf/checked.h"
 #include "scene/gltf/extension.h"
 #include "scene/gltf/mesh.h"
+#include "scene/gltf/skins.h"
 
 namespace crsh::scene {
 
 namespace {
 
 constexpr float brightest = 1e15f;
-
-/// The node that a skinned mesh hangs on: its first joint times that joint's inverse bind matrix, which in bind pose
-/// is where the skin puts the whole mesh (glTF 2.0, section 3.7.3: the mesh's own node does not count).
-uint32_t skin_node(Document& document, int64_t skin, uint32_t mesh_node, const NodeMap& nodes, Scene& scene) {
-  const tinygltf::Skin& from = at(document.model().skins, skin, "skins");
-  if (from.joints.empty() || static_cast<size_t>(from.joints[0]) >= nodes.node_of.size())
-    throw Fault(place("skins", skin) + ".joints names no node of the file");
-  const std::optional<uint32_t> joint = nodes.node_of[static_cast<size_t>(from.joints[0])];
-  if (!joint) return mesh_node;
-  Node out;
-  out.name = scene.nodes[mesh_node].name;
-  out.parent = joint;
-  if (from.inverseBindMatrices >= 0) {
-    const Accessor accessor(document, from.inverseBindMatrices);
-    accessor.need_components({16});
-    if (accessor.count() == 0) throw Fault(accessor.where() + " is empty");
-    out.matrix = accessor.matrix_at(0);
-    for (int c = 0; c < 4; ++c)
-      if (!std::isfinite(glm::dot((*out.matrix)[c], glm::vec4(1)))) return mesh_node;
-  }
-  scene.nodes.push_back(out);
-  return static_cast<uint32_t>(scene.nodes.size() - 1);
-}
 
 /// Reads meshes when a node first uses them.
 class MeshList {
@@ -134,37 +111,45 @@ Light read_light(const Extension& fields, uint32_t node, const std::string& node
 
 void read_instances(Document& document, const NodeMap& nodes, Scene& scene, Notes& notes) {
   MeshList meshes(document, scene, notes);
+  SkinReader skins(document, nodes, scene, notes);
   for (uint32_t i = 0; i < nodes.file_of.size(); ++i) {
     const tinygltf::Node& from = at(document.model().nodes, nodes.file_of[i], "nodes");
     if (from.mesh < 0) continue;
     const std::optional<uint32_t> mesh = meshes.place(from.mesh);
-    const bool skinned = from.skin >= 0;
-    if (skinned) notes.add("skins (drawn in bind pose)");
-    if (mesh) scene.instances.push_back({*mesh, skinned ? skin_node(document, from.skin, i, nodes, scene) : i});
+    if (!mesh) continue;
+    const auto skin = from.skin < 0 ? std::nullopt : skins.place(from.skin, scene.meshes[*mesh], i);
+    scene.instances.push_back({*mesh, i, skin});
   }
 }
 
-void read_cameras(Document& document, const NodeMap& nodes, Scene& scene) {
+FilePlaces read_cameras(Document& document, const NodeMap& nodes, Scene& scene) {
   const tinygltf::Model& model = document.model();
   std::multimap<int, uint32_t> found;
   for (uint32_t i = 0; i < nodes.file_of.size(); ++i)
     if (const int camera = at(model.nodes, nodes.file_of[i], "nodes").camera; camera >= 0) found.emplace(camera, i);
-  for (const auto& [camera, node] : found)
+  FilePlaces places;
+  for (const auto& [camera, node] : found) {
+    places.emplace(camera, static_cast<uint32_t>(scene.cameras.size()));
     scene.cameras.push_back(
         read_camera(at(model.cameras, camera, "cameras"), place("cameras", camera), node, scene.nodes[node].name));
+  }
+  return places;
 }
 
-void read_lights(Document& document, const NodeMap& nodes, Scene& scene) {
+FilePlaces read_lights(Document& document, const NodeMap& nodes, Scene& scene) {
   constexpr const char* name = "KHR_lights_punctual";
   const tinygltf::Model& model = document.model();
   const std::optional<Extension> list = Extension::of(model.extensions, name, "");
+  FilePlaces places;
   for (uint32_t i = 0; i < nodes.file_of.size(); ++i) {
     const int64_t node = nodes.file_of[i];
     const auto use = Extension::of(at(model.nodes, node, "nodes").extensions, name, place("nodes", node));
     if (!use) continue;
     if (!list) throw Fault(use->where() + " names a light, but the file has none");
+    places.emplace(use->index("light"), static_cast<uint32_t>(scene.lights.size()));
     scene.lights.push_back(read_light(list->element("lights", use->index("light")), i, scene.nodes[i].name));
   }
+  return places;
 }
 
 }  // namespace crsh::scene

@@ -1,6 +1,8 @@
 #pragma once
 // What hangs on nodes: meshes, skins, cameras and lights.
 
+#include <map>
+
 #include "scene/gltf/document.h"
 #include "scene/gltf/fault.h"
 #include "scene/gltf/nodes.h"
@@ -8,13 +10,16 @@
 
 namespace crsh::scene {
 
-/// Fills meshes and instances. A mesh without triangles makes no instance. Skinned meshes follow their first joint.
+/// Which elements of one of the scene's lists each of the file's has become.
+using FilePlaces = std::multimap<int64_t, uint32_t>;
+
+/// Fills meshes, skins and instances. A mesh without triangles makes no instance.
 void read_instances(Document& document, const NodeMap& nodes, Scene& scene, Notes& notes);
 
 /// Fills cameras, in glTF's order.
-void read_cameras(Document& document, const NodeMap& nodes, Scene& scene);
+FilePlaces read_cameras(Document& document, const NodeMap& nodes, Scene& scene);
 
 /// Fills lights (KHR_lights_punctual).
-void read_lights(Document& document, const NodeMap& nodes, Scene& scene);
+FilePlaces read_lights(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace crsh::scene

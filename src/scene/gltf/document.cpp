@@ -71,7 +71,7 @@ std::span<const uint8_t> Document::view(int64_t index) {
 const ImageSource& Document::image(int64_t index) const { return at(images_, index, "images"); }
 
 void Document::spend(uint64_t elements) {
-  if (elements > work_left_) throw Fault("is too large to be drawn", "simplify the scene");
+  if (elements > work_left_) throw TooLarge();
   work_left_ -= elements;
 }
 

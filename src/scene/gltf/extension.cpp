@@ -15,6 +15,10 @@ std::optional<float> Extension::number(const std::string& key) const {
 
 int Extension::index(const std::string& key) const { return has(key) ? value().Get(key).GetNumberAsInt() : -1; }
 
+bool Extension::flag(const std::string& key, bool otherwise) const {
+  return has(key) ? value().Get(key).Get<bool>() : otherwise;
+}
+
 std::string Extension::text(const std::string& key) const {
   return has(key) ? value().Get(key).Get<std::string>() : std::string();
 }

@@ -19,6 +19,12 @@ class Fault : public std::runtime_error {
   std::string mend_;
 };
 
+/// The file asks for more work than any file needs.
+class TooLarge : public Fault {
+ public:
+  TooLarge() : Fault("is too large to be drawn", "simplify the scene") {}
+};
+
 /// A file names another that lies outside its own folder.
 class OutsideFault : public Fault {
  public:

@@ -108,9 +108,11 @@ void check_head(const json& root) {
 }
 
 bool is_done_here(std::string_view extension) {
-  constexpr std::array<std::string_view, 7> done = {
-      "KHR_lights_punctual",  "KHR_materials_emissive_strength", "KHR_materials_ior",    "KHR_materials_transmission",
-      "KHR_materials_volume", "KHR_mesh_quantization",           "KHR_texture_transform"};
+  constexpr std::array<std::string_view, 10> done = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
+                                                     "KHR_materials_ior",     "KHR_materials_transmission",
+                                                     "KHR_materials_volume",  "KHR_mesh_quantization",
+                                                     "KHR_animation_pointer", "KHR_node_visibility",
+                                                     "KHR_node_hoverability", "KHR_texture_transform"};
   return std::find(done.begin(), done.end(), extension) != done.end();
 }
 

@@ -13,6 +13,7 @@
 #include "scene/gltf/material.h"
 #include "scene/gltf/nodes.h"
 #include "scene/gltf/texcoords.h"
+#include "scene/properties.h"
 
 namespace crsh::scene {
 
@@ -31,15 +32,39 @@ std::set<uint32_t> materials_used(const Scene& scene) {
   return used;
 }
 
+void check_transform(const glm::mat4& m, const Node& node) {
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r)
+      if (!(std::abs(m[c][r]) <= farthest))
+        throw Fault("node " + in_quotes(node.name, 60) + " is moved or scaled beyond what can be drawn");
+}
+
 /// Transforms may multiply to more than a float holds.
 void check_transforms(const Scene& scene) {
   const Pose pose = scene.pose(0, {});
   for (size_t i = 0; i < pose.instances.size(); ++i)
-    for (int c = 0; c < 4; ++c)
-      for (int r = 0; r < 4; ++r)
-        if (!(std::abs(pose.instances[i][c][r]) <= farthest))
-          throw Fault("node " + in_quotes(scene.nodes[scene.instances[i].node].name, 60) +
-                      " is moved or scaled beyond what can be drawn");
+    check_transform(pose.instances[i], scene.nodes[scene.instances[i].node]);
+  for (size_t s = 0; s < scene.skins.size(); ++s)
+    for (size_t j = 0; j < scene.skins[s].joints.size(); ++j)
+      check_transform(pose.joints[s][j], scene.nodes[scene.skins[s].joints[j]]);
+}
+
+/// Nodes that no animation makes visible, nor any node above them.
+std::vector<bool> never_seen(const Scene& scene) {
+  std::vector<bool> shown(scene.nodes.size()), hidden(scene.nodes.size());
+  for (const Animation& animation : scene.animations)
+    for (const Channel& channel : animation.channels)
+      if (channel.target.driven == Driven::node && channel.target.property == node_visible)
+        shown[channel.target.object] = true;
+  for (size_t n = 0; n < hidden.size(); ++n)
+    hidden[n] = (!scene.nodes[n].visible && !shown[n]) || (scene.nodes[n].parent && hidden[*scene.nodes[n].parent]);
+  return hidden;
+}
+
+/// Leaves out instances that are never seen, so that they cost nothing.
+void drop_hidden(Scene& scene) {
+  const std::vector<bool> hidden = never_seen(scene);
+  std::erase_if(scene.instances, [&](const Instance& instance) { return hidden[instance.node]; });
 }
 
 Scene read(const std::filesystem::path& path, const std::string& which, Reach reach) {
@@ -52,9 +77,9 @@ Scene read(const std::filesystem::path& path, const std::string& which, Reach re
   const NodeMap nodes = read_nodes(document, which, scene);
   read_instances(document, nodes, scene, notes);
   read_materials(document, materials_used(scene), scene, notes);
-  read_cameras(document, nodes, scene);
-  read_lights(document, nodes, scene);
-  read_animations(document, nodes, scene, notes);
+  const FilePlaces cameras = read_cameras(document, nodes, scene), lights = read_lights(document, nodes, scene);
+  read_animations(document, {nodes, cameras, lights}, scene, notes);
+  drop_hidden(scene);
   check_transforms(scene);
   return scene;
 }

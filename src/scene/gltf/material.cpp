@@ -36,7 +36,9 @@ class MaterialReader {
     out.name = from.name;
     out.double_sided = from.doubleSided;
     for (int c = 0; c < 3; ++c)
-      out.emissive[c] = std::max(finite(from.emissiveFactor[static_cast<size_t>(c)], where + ".emissiveFactor"), 0.0f);
+      out.emissive_factor[c] =
+          std::max(finite(from.emissiveFactor[static_cast<size_t>(c)], where + ".emissiveFactor"), 0.0f);
+    out.emissive = out.emissive_factor;
     out.texture(Slot::emissive) = textures_.use(from.emissiveTexture, where + ".emissiveTexture");
     out.alpha_mode = alpha_mode_of(from.alphaMode);
     out.alpha_cutoff = finite(from.alphaCutoff, where + ".alphaCutoff");
@@ -73,8 +75,10 @@ class MaterialReader {
   /// Emission, and what goes through the material.
   void read_body(Material& out, const tinygltf::ExtensionMap& all, const std::string& where) {
     out.unlit = Extension::of(all, "KHR_materials_unlit", where).has_value();
-    if (const auto strength = Extension::of(all, "KHR_materials_emissive_strength", where))
-      out.emissive = glm::min(out.emissive * not_negative(*strength, "emissiveStrength", 1), brightest);
+    if (const auto strength = Extension::of(all, "KHR_materials_emissive_strength", where)) {
+      out.emissive_strength = not_negative(*strength, "emissiveStrength", 1);
+      out.emissive = glm::min(out.emissive_factor * out.emissive_strength, brightest);
+    }
     if (const auto ior = Extension::of(all, "KHR_materials_ior", where)) out.ior = refraction_of(*ior);
     if (const auto transmission = Extension::of(all, "KHR_materials_transmission", where)) {
       out.transmission = unit(transmission->number("transmissionFactor", 0));

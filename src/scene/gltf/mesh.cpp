@@ -10,12 +10,13 @@
 #include "scene/bounding.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/checked.h"
+#include "scene/gltf/deformers.h"
 
 namespace crsh::scene {
 
 namespace {
 
-constexpr uint32_t unused = 0xFFFFFFFFu;
+constexpr uint32_t unused = DeformReader::unused_vertex;
 constexpr uint64_t triangle_cost = 16;  // in units of Document::spend: 67 million triangles, some 7 GiB, are too many
 constexpr float farthest = 1e15f;       // metres; squares and products stay within float
 
@@ -56,6 +57,8 @@ class Vertices {
   }
 
   [[nodiscard]] uint64_t count() const { return sources_[0]->count(); }
+  /// For each vertex of the file its place in the mesh, or unused.
+  [[nodiscard]] const std::vector<uint32_t>& kept() const { return kept_; }
 
   /// The mesh's vertex for vertex i of the file.
   uint32_t vertex(Mesh& mesh, uint64_t i, const std::string& where) {
@@ -139,15 +142,25 @@ class MeshReader {
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) return notes_.add("points and lines");
     const Layout layout = layout_of(primitive);
     if (!layout[0]) return notes_.add("primitives without positions");
-    auto found = blocks_.find(layout);
-    if (found == blocks_.end()) found = blocks_.try_emplace(layout, document_, layout).first;
+    const Block block{layout, deform_layout(primitive)};
+    auto found = blocks_.find(block);
+    if (found == blocks_.end()) found = blocks_.try_emplace(block, document_, layout).first;
     append_triangles(primitive, where, found->second);
     mesh.materials.resize(mesh.triangles.size(), material_of(primitive, where));
+  }
+
+  /// Reads what deforms the mesh, once all its vertices are known. `where`: of its primitives.
+  void add_deformers(const std::vector<double>& weights, const std::string& where) {
+    DeformReader reader(document_, notes_);
+    for (const auto& [block, vertices] : blocks_) reader.add(block.second, vertices.kept(), where);
+    reader.finish(weights, mesh);
   }
 
   Mesh mesh;
 
  private:
+  using Block = std::pair<Layout, DeformLayout>;
+
   [[nodiscard]] Layout layout_of(const tinygltf::Primitive& primitive) const {
     Layout layout;
     for (size_t a = 0; a < layout.size(); ++a)
@@ -157,7 +170,6 @@ class MeshReader {
   }
 
   void note_what_is_left_out(const tinygltf::Primitive& primitive) {
-    if (!primitive.targets.empty()) notes_.add("morph targets (drawn without them)");
     if (primitive.attributes.contains("COLOR_1")) notes_.add("vertex colours past COLOR_0");
   }
 
@@ -193,7 +205,7 @@ class MeshReader {
   Notes& notes_;
   uint32_t default_material_;
   std::array<uint32_t, uv_sets> texcoords_;
-  std::map<Layout, Vertices> blocks_;
+  std::map<Block, Vertices> blocks_;
 };
 
 /// Attributes that the last primitives did not have.
@@ -216,6 +228,7 @@ Mesh read_mesh(Document& document, int64_t index, uint32_t default_material,
   for (size_t i = 0; i < from.primitives.size(); ++i)
     reader.add(from.primitives[i], place(where, static_cast<int64_t>(i)));
   fill_up(reader.mesh);
+  reader.add_deformers(from.weights, where);
   fill_bounds(reader.mesh);
   return std::move(reader.mesh);
 }

@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "scene/gltf/checked.h"
+#include "scene/gltf/extension.h"
 #include "scene/gltf/fault.h"
 
 namespace crsh::scene {
@@ -86,6 +87,9 @@ Node read_node(const tinygltf::Node& from, const std::string& where, std::option
   if (!from.matrix.empty()) out.matrix = glm::make_mat4(floats<16>(from.matrix, where + ".matrix", {}).data());
   out.transform = {vec3_of(from.translation, where + ".translation", 0),
                    rotation_of(from.rotation, where + ".rotation"), vec3_of(from.scale, where + ".scale", 1)};
+  for (const double weight : from.weights) out.weights.push_back(finite(weight, where + ".weights"));
+  if (const auto visibility = Extension::of(from.extensions, "KHR_node_visibility", where))
+    out.visible = visibility->flag("visible", true);
   return out;
 }
 

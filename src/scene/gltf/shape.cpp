@@ -42,20 +42,22 @@ constexpr Field accessor_fields[] = {
 constexpr Shape accessor{accessor_fields, sizeof(tinygltf::Accessor)};
 
 // Meshes and nodes.
-constexpr Field attribute_fields[] = {
-    index("POSITION"),   index("NORMAL"),     index("TEXCOORD_0"), index("TEXCOORD_1"), index("COLOR_0"),
-    index("COLOR_1"),    index("TANGENT"),    index("TEXCOORD_2"), index("TEXCOORD_3"), index("TEXCOORD_4"),
-    index("TEXCOORD_5"), index("TEXCOORD_6"), index("TEXCOORD_7")};
+constexpr Field attribute_fields[] = {index("POSITION"), index("NORMAL"),     index("TANGENT"),  index("COLOR_0"),
+                                      index("COLOR_1"),  index("TEXCOORD_*"), index("JOINTS_*"), index("WEIGHTS_*")};
 constexpr Shape attributes{attribute_fields};
-constexpr Shape target{{}, sizeof(std::map<std::string, int>)};
+constexpr Field target_fields[] = {index("POSITION"), index("NORMAL"), index("TANGENT")};
+constexpr Shape target{target_fields, 4 * sizeof(std::map<std::string, int>)};
 constexpr Field primitive_fields[] = {needed(object("attributes", attributes)), index("indices"), index("material"),
                                       index("mode"), list("targets", target)};
 constexpr Shape primitive{primitive_fields, sizeof(tinygltf::Primitive)};
-constexpr Field mesh_fields[] = {text("name"), list("primitives", primitive)};
+constexpr Field mesh_fields[] = {text("name"), list("primitives", primitive), numbers("weights", 0)};
 constexpr Shape mesh{mesh_fields, sizeof(tinygltf::Mesh)};
 constexpr Field node_light_fields[] = {needed(index("light"))};
 constexpr Shape node_light{node_light_fields};
-constexpr Field node_extension_fields[] = {object("KHR_lights_punctual", node_light)};
+constexpr Field visibility_fields[] = {filled(flag("visible"), "true")};
+constexpr Shape visibility{visibility_fields};
+constexpr Field node_extension_fields[] = {object("KHR_lights_punctual", node_light),
+                                           object("KHR_node_visibility", visibility)};
 constexpr Shape node_extensions{node_extension_fields};
 constexpr Field node_fields[] = {text("name"),
                                  index("camera"),
@@ -66,6 +68,7 @@ constexpr Field node_fields[] = {text("name"),
                                  numbers("rotation", 4),
                                  numbers("scale", 3),
                                  numbers("translation", 3),
+                                 numbers("weights", 0),
                                  object("extensions", node_extensions)};
 constexpr Shape node{node_fields, sizeof(tinygltf::Node)};
 constexpr Field scene_fields[] = {text("name"), indices("nodes")};
@@ -188,7 +191,12 @@ constexpr Field root_extension_fields[] = {object("KHR_lights_punctual", lights)
 constexpr Shape root_extensions{root_extension_fields};
 
 // Animations.
-constexpr Field channel_target_fields[] = {filled(index("node"), "-1"), filled(text("path"), "\"\"")};
+constexpr Field pointer_fields[] = {needed(text("pointer"))};
+constexpr Shape pointer{pointer_fields};
+constexpr Field target_extension_fields[] = {object("KHR_animation_pointer", pointer)};
+constexpr Shape target_extensions{target_extension_fields};
+constexpr Field channel_target_fields[] = {filled(index("node"), "-1"), filled(text("path"), "\"\""),
+                                           object("extensions", target_extensions)};
 constexpr Shape channel_target{channel_target_fields};
 constexpr Field channel_fields[] = {needed(object("target", channel_target)), needed(index("sampler"))};
 constexpr Shape channel{channel_fields, sizeof(tinygltf::AnimationChannel)};

@@ -12,7 +12,7 @@ enum class Kind {
   index,    ///< a whole number below 2^31: a place in a list, or one of glTF's codes
   length,   ///< a whole number up to 2^40: bytes or elements
   number,   ///< finite
-  numbers,  ///< an array of `count` finite numbers
+  numbers,  ///< an array of `count` finite numbers; 0: of any number of them
   flag,
   text,
   indices,  ///< an array of them
@@ -24,7 +24,7 @@ enum class Kind {
 struct Shape;
 
 struct Field {
-  std::string_view name;
+  std::string_view name;  ///< with a * at its end: all that begin with what is before it
   Kind kind;
   size_t count = 0;
   const Shape* shape = nullptr;

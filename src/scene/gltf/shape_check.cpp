@@ -37,19 +37,24 @@ class Check {
   void object(json& value, const Shape& shape, const Where& where) {
     if (!value.is_object()) throw Fault(where.written() + " is not an object");
     for (auto member = value.begin(); member != value.end();) {
-      const auto named = [&](const Field& field) { return field.name == member.key(); };
+      const auto named = [&](const Field& field) { return is_named(field, member.key()); };
       const auto found = std::find_if(shape.fields.begin(), shape.fields.end(), named);
       if (found == shape.fields.end()) {
         member = value.erase(member);
         continue;
       }
-      field(*member, *found, {&where, found->name});
+      field(*member, *found, {&where, member.key()});
       ++member;
     }
     complete(value, shape, where);
   }
 
  private:
+  static bool is_named(const Field& field, const std::string& key) {
+    if (!field.name.ends_with('*')) return field.name == key;
+    return key.starts_with(field.name.substr(0, field.name.size() - 1));
+  }
+
   static void complete(json& value, const Shape& shape, const Where& where) {
     for (const Field& field : shape.fields) {
       if ((!field.needed && field.fill.empty()) || value.contains(field.name)) continue;
@@ -92,7 +97,7 @@ class Check {
 
   static void numbers(json& value, size_t count, const Where& where) {
     need(value.is_array(), " is not an array", where);
-    if (value.size() != count)
+    if (count != 0 && value.size() != count)
       throw Fault(where.written() + " has " + std::to_string(value.size()) + " numbers instead of " +
                   std::to_string(count));
     for (json& element : value) number(element, where);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "output/heat_map.h"
+#include "scene/deform.h"
 #include "scene/hide.h"
 #include "viewer/overlays/overlays.h"
 
@@ -126,13 +127,13 @@ void draw_chosen_nodes(const Pen& pen, const Model& model, const Layout& layout)
 /// Draws the spheres of meshes (section 3.2.1), or the boxes of the object hierarchy where the algorithm has one.
 void draw_bounds(const Pen& pen, const Model& model) {
   const scene::Scene& scene = *model.scene();
-  const scene::Pose pose = scene.pose(model.left.shown->seconds, model.animation());
+  const scene::Pose pose = scene.pose(model.left.shown->seconds, model.animations());
   const auto hidden = scene::hidden_instances(scene, model.command.options.hidden);
   const bool boxes = model.has_object_hierarchy() && model.left.node_frame &&
                      !model.left.node_frame->boxes.empty();  // else they may be those of an algorithm chosen before
-  for (size_t i = 0; !boxes && i < scene.instances.size(); ++i) {
+  for (uint32_t i = 0; !boxes && i < scene.instances.size(); ++i) {
     if (hidden[i]) continue;
-    const scene::Sphere sphere = scene::transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
+    const scene::Sphere sphere = scene::posed_sphere(scene, pose, i);
     pen.ball(sphere.centre, sphere.radius, heat(double(i) / double(scene.instances.size()), 220));
   }
   if (!boxes) return;

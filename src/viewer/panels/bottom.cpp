@@ -48,7 +48,7 @@ std::string state_text(const Model& model) {
 }
 
 void draw_time_bar(Model& model, Widgets& widgets) {
-  const float duration = std::max(model.scene()->animations[*model.animation()].duration, 1e-3f);
+  const float duration = std::max(model.duration(), 1e-3f);
   if (widgets.button("play", model.playing ? "Stop" : "Play")) model.playing = !model.playing;
   ImGui::SameLine();
   float seconds = float(model.seconds);
@@ -83,7 +83,7 @@ void draw_bottom(Model& model, Widgets& widgets, const Layout& layout) {
   ImGui::SetNextWindowSize({layout.window.x, layout.bottom});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8, 4});
   if (ImGui::Begin("state", nullptr, plain)) {
-    if (model.animation()) draw_time_bar(model, widgets);
+    if (!model.animations().empty()) draw_time_bar(model, widgets);
     ImGui::TextUnformatted(state_text(model).c_str());
   }
   ImGui::End();

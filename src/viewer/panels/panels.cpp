@@ -27,7 +27,7 @@ void draw_left(Model& model, Widgets& widgets, bool with_measures) {
 Layout layout_of(const Model& model, glm::vec2 window, float text) {
   Layout layout{.window = window};
   layout.status = window.y > 12 * text ? text * 1.9f : 0;
-  layout.bottom = layout.status * (model.animation() ? 2.0f : 1.0f);
+  layout.bottom = layout.status * (model.animations().empty() ? 1.0f : 2.0f);
   if (model.panels && window.x > 34 * text) layout.left = 20 * text;
   if (model.panels && window.x > 72 * text) layout.right = 23 * text;
   return layout;
