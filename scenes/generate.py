@@ -8,7 +8,8 @@ import pathlib
 import sys
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-SCENES = ("cornell", "office", "colonnade", "glass", "moving")
+SCENES = ("cornell", "office", "colonnade", "glass", "moving", "walking",
+          "morphing")
 
 
 def main():

@@ -8,11 +8,19 @@ import struct
 import sys
 
 from . import vector
+from .mesh import Mesh
 
-FLOAT, USHORT, UINT = 5126, 5123, 5125
+FLOAT, UBYTE, USHORT, UINT = 5126, 5121, 5123, 5125
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
-TYPE_CODES = {FLOAT: "f", USHORT: "H", UINT: "I"}
-TYPE_NAMES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+TYPE_CODES = {FLOAT: "f", UBYTE: "B", USHORT: "H", UINT: "I"}
+TYPE_NAMES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
+
+
+def packed_weights(row):
+    """Four weights of 16 bits that sum to 65535."""
+    whole = [int(w * 65535 + 0.5) for _, w in row]
+    whole[0] += 65535 - sum(whole)
+    return tuple(whole + [0] * (4 - len(row)))
 
 
 class Document:
@@ -24,7 +32,7 @@ class Document:
         self.extensions = set()
         self.roots = []
         self.lists = {name: [] for name in (
-            "nodes", "meshes", "materials", "cameras", "animations", "textures",
+            "nodes", "meshes", "skins", "materials", "cameras", "animations", "textures",
             "images", "samplers", "accessors", "bufferViews")}
 
     def _append(self, name, item):
@@ -101,6 +109,53 @@ class Document:
             "attributes": attributes, "material": material,
             "indices": self._accessor([(i,) for i in indices], UINT if wide else USHORT,
                                       ELEMENT_ARRAY_BUFFER)}]})
+
+    def skinned_mesh(self, name, primitives):
+        """Write (material, pieces) a primitive; a piece is a Mesh and what gives a vertex's (joint, weight) list."""
+        written = []
+        for material, pieces in primitives:
+            corners, indices, rows = [], [], []
+            for geometry, influences in pieces:
+                own, own_indices = geometry.welded()
+                indices += [len(corners) + i for i in own_indices]
+                corners += own
+                rows += [influences(corner[0]) for corner in own]
+            joints = [tuple([j for j, _ in row] + [0] * (4 - len(row))) for row in rows]
+            written.append({"attributes": {
+                "POSITION": self._accessor([c[0] for c in corners], FLOAT, ARRAY_BUFFER, bounds=True),
+                "NORMAL": self._accessor([vector.unit(c[1]) for c in corners], FLOAT, ARRAY_BUFFER),
+                "JOINTS_0": self._accessor(joints, UBYTE, ARRAY_BUFFER),
+                "WEIGHTS_0": self._accessor([packed_weights(row) for row in rows], USHORT, ARRAY_BUFFER,
+                                            normalised=True)},
+                "material": material,
+                "indices": self._accessor([(i,) for i in indices], USHORT, ELEMENT_ARRAY_BUFFER)})
+        return self._append("meshes", {"name": name, "primitives": written})
+
+    def skin(self, name, joints, places):
+        """A skin of nodes that stand unturned at these places at rest; returns its index."""
+        rows = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -p[0], -p[1], -p[2], 1) for p in places]
+        return self._append("skins", {"name": name, "joints": joints,
+                                      "inverseBindMatrices": self._accessor(rows, FLOAT)})
+
+    def morphing_mesh(self, name, geometry, material, targets, weights):
+        """Write a Mesh whose corners each target moves: a (position, normal) to add for each corner."""
+        marked = [Mesh([(p, n, (0.0, 0.0))]) for p, n, _ in geometry.corners]
+        places = [mesh.welded()[0][0] for mesh in marked]
+        corners, indices = geometry.welded()
+        first = {}
+        for i, place in enumerate(places):
+            first.setdefault((place[0], place[1]), i)
+        order = [first[(c[0], c[1])] for c in corners]
+        item = {"attributes": {
+            "POSITION": self._accessor([c[0] for c in corners], FLOAT, ARRAY_BUFFER, bounds=True),
+            "NORMAL": self._accessor([vector.unit(c[1]) for c in corners], FLOAT, ARRAY_BUFFER)},
+            "material": material, "targets": [],
+            "indices": self._accessor([(i,) for i in indices], USHORT, ELEMENT_ARRAY_BUFFER)}
+        for target in targets:
+            item["targets"].append({
+                "POSITION": self._accessor([target[i][0] for i in order], FLOAT, ARRAY_BUFFER, bounds=True),
+                "NORMAL": self._accessor([target[i][1] for i in order], FLOAT, ARRAY_BUFFER)})
+        return self._append("meshes", {"name": name, "primitives": [item], "weights": list(weights)})
 
     def _uv_accessor(self, uvs):
         if all(0 <= x <= 1 for uv in uvs for x in uv):

@@ -103,5 +103,33 @@ TEST_CASE("a frame does not depend on the frames before it") {
   CHECK(difference(renderer.render(1.1), render(own_scene("moving"), options, 1.1).picture) == "");
 }
 
+/// Frames of one renderer, which refits, against those of a new one each, which builds.
+void check_frames(const std::string& scene, const std::string& algorithm) {
+  RenderOptions options = small();
+  options.bounces = 1;
+  options.algorithm = preset(algorithm);
+  Renderer renderer(borrowed(device()), borrowed(own_scene(scene)), options);
+  for (const double seconds : {0.0, 0.3, 0.9, 1.0, 3.1, 0.3}) {
+    CAPTURE(scene);
+    CAPTURE(seconds);
+    CHECK(difference(renderer.render(seconds), render(own_scene(scene), options, seconds).picture) == "");
+  }
+}
+
+TEST_CASE("every frame of a deforming scene is as a new renderer makes it") {
+  for (const char* scene : {"walking", "morphing"})
+    for (const char* algorithm : {"crsh-bvh", "bvh", "crsh"}) check_frames(scene, algorithm);
+}
+
+TEST_CASE("what deforms is refitted, and what stands still is not") {
+  RenderOptions options = small();
+  options.bounces = 0;
+  Renderer renderer(borrowed(device()), borrowed(own_scene("morphing")), options);
+  for (const double seconds : {0.0, 0.1, 0.1, 0.2}) (void)renderer.render(seconds);
+  const ObjectHierarchyStatistics& counts = renderer.statistics().object_hierarchy;
+  CHECK(counts.builds + counts.refits >= 3);
+  CHECK(counts.refits == 2);
+}
+
 }  // namespace
 }  // namespace crsh::test

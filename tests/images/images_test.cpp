@@ -52,6 +52,10 @@ IMAGE("glass", "glass", 96, 72, 4)
 IMAGE("moving-start", "moving", 64, 48, 1)
 IMAGE("moving-later", "moving", 64, 48, 1, "", 1.3)
 IMAGE("moving-rider", "moving", 64, 48, 1, "rider", 2.7)
+IMAGE("walking-start", "walking", 64, 48, 1)
+IMAGE("walking-later", "walking", 64, 48, 2, "", 1.7)
+IMAGE("morphing-start", "morphing", 64, 48, 2)
+IMAGE("morphing-later", "morphing", 64, 48, 1, "", 0.8)
 // clang-format on
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST_CASE("ray queries give nearly the same picture as brute force, also of what
     MESSAGE("skipped: ", device().info().name, " has no ray queries");
     return;
   }
-  for (const char* name : {"cornell", "glass", "moving"})
+  for (const char* name : {"cornell", "glass", "moving", "walking", "morphing"})
     for (const double seconds : {0.0, 1.1}) {
       CAPTURE(name);
       CAPTURE(seconds);

@@ -87,6 +87,15 @@ TEST_CASE("an animated scene renders from frame to frame without a validation me
   CHECK(device().validation_messages() == 0);
 }
 
+TEST_CASE("deforming scenes render from frame to frame without a validation message") {
+  for (const char* name : {"walking", "morphing"}) {
+    Renderer renderer(borrowed(device()), borrowed(own_scene(name)), tiny(0));
+    const Picture start = renderer.render(0);
+    CHECK(difference(start, renderer.render(0.6)) != "");
+  }
+  CHECK(device().validation_messages() == 0);
+}
+
 TEST_CASE("memory that must be shared out gives the same, without a validation message") {
   RenderOptions options = tiny(1);
   options.algorithm = preset("rah");

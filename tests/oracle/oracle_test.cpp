@@ -84,7 +84,7 @@ void check_scene(const scene::Scene& scene, RenderOptions options) {
 }
 
 TEST_CASE("Embree agrees on every ray of the project's scenes, and all presets agree with each other") {
-  for (const char* name : {"cornell", "glass", "moving", "office", "colonnade"}) {
+  for (const char* name : {"cornell", "glass", "moving", "walking", "morphing", "office", "colonnade"}) {
     CAPTURE(std::string(name));
     check_scene(own_scene(name), small());
   }

@@ -139,7 +139,7 @@ void check_cost(const scene::Scene& scene) {
 }
 
 TEST_CASE("the tree costs little more than that of a binned SAH build, on the project's scenes") {
-  for (const char* name : {"cornell", "office", "colonnade", "glass", "moving"}) {
+  for (const char* name : {"cornell", "office", "colonnade", "glass", "moving", "walking", "morphing"}) {
     CAPTURE(name);
     check_cost(own_scene(name));
   }
