@@ -85,7 +85,7 @@ class Renderer {
   /// Lights that were chosen here, as options that ask for the same: those of RenderOptions::lights without intensity,
   /// or, without any there and in the scene, the one beside the eye.
   [[nodiscard]] const std::vector<LightOption>& chosen_lights() const;
-  /// What else was settled here and changes the picture, a line each: textures that had to be made smaller.
+  /// What else was settled here and changes the picture, a line each: textures made smaller, animations chosen.
   [[nodiscard]] const std::vector<std::string>& notes() const;
 
   struct State;  ///< frame/state.h

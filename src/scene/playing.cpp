@@ -50,8 +50,8 @@ Playing chosen(const Scene& scene) {
     if (!scene.animations[i].channels.empty()) moving.push_back(i);
   }
   if (!left.empty())
-    out.note = fmt::format("animation {} plays; what moves the same is left out: {}", names_of(scene, moving),
-                           names_of(scene, left));
+    out.note = fmt::format("animations that play: {}; left out, because they move the same: {}",
+                           names_of(scene, moving), names_of(scene, left));
   else if (moving.size() > 1)
     out.note = fmt::format("{} animations play together: {}", moving.size(), names_of(scene, moving));
   return out;

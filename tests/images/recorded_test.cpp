@@ -29,13 +29,15 @@ bool blesses() {
   return bless && std::string(bless) == "1";
 }
 
-/// A scene of the project, and the size of the picture that its rays come from.
+/// A scene of the project, the size of the picture that its rays come from, and which of its animations played.
 struct Recording {
   const char* scene;
   uint32_t width, height;
+  const char* animation = "";
 };
-constexpr Recording recordings[] = {
-    {"cornell", 36, 24}, {"glass", 28, 20}, {"moving", 36, 24}, {"office", 18, 12}, {"colonnade", 28, 20}};
+constexpr Recording recordings[] = {{"cornell", 36, 24}, {"glass", 28, 20},     {"moving", 36, 24, "fairground"},
+                                    {"office", 18, 12},  {"colonnade", 28, 20}, {"walking", 24, 16},
+                                    {"morphing", 24, 16}};
 
 /// One function whose result may differ between drivers by a bit makes these keys: they are taken from the file.
 constexpr const char* inexact_key = "spherical";
@@ -45,6 +47,7 @@ void record(const Recording& recording, const std::filesystem::path& file) {
   options.width = recording.width;
   options.height = recording.height;
   options.bounces = 1;
+  options.animation = recording.animation;
   options.algorithm = preset("crsh-2017");
   RayTable rays;
   Renderer renderer(borrowed(device()), borrowed(own_scene(recording.scene)), options);
@@ -69,6 +72,7 @@ std::string lines_of(const std::string& start, const Statistics& statistics) {
 std::string replayed(const Recording& recording, const RayTable& rays, const std::string& name) {
   RenderOptions options;
   options.bounces = 1;
+  options.animation = recording.animation;
   options.algorithm = preset(name);
   options.algorithm.least_rays = 0;  // pictures are so small that most rays would be too scattered for nodes
   for (std::string& key : options.algorithm.keys)

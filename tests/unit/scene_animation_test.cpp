@@ -172,7 +172,7 @@ TEST_CASE("animations that drive different things play together, and of others t
   CHECK(both.animations == Chosen{0, 1});
   CHECK(both.note == "2 animations play together: 'a0', 'a1'");
   CHECK(first.animations == Chosen{0, 1});
-  CHECK(first.note == "animation 'a0', 'a1' plays; what moves the same is left out: 'a2'");
+  CHECK(first.note == "animations that play: 'a0', 'a1'; left out, because they move the same: 'a2'");
   CHECK(scene::playing(several({"scale"}).load(), "").note.empty());
   CHECK(scene::playing(test::one_triangle().load(), "").animations.empty());
 }

@@ -107,6 +107,11 @@ Light read_light(const Extension& fields, uint32_t node, const std::string& node
   return out;
 }
 
+/// What deforms is worked out for each instance: a small file could have many of a mesh that many joints move.
+void spend_on_deforming(Document& document, const Mesh& mesh) {
+  document.spend(mesh.influences.items.size() + mesh.displacements.items.size() + mesh.target_count);
+}
+
 }  // namespace
 
 void read_instances(Document& document, const NodeMap& nodes, Scene& scene, Notes& notes) {
@@ -118,6 +123,7 @@ void read_instances(Document& document, const NodeMap& nodes, Scene& scene, Note
     const std::optional<uint32_t> mesh = meshes.place(from.mesh);
     if (!mesh) continue;
     const auto skin = from.skin < 0 ? std::nullopt : skins.place(from.skin, scene.meshes[*mesh], i);
+    spend_on_deforming(document, scene.meshes[*mesh]);
     scene.instances.push_back({*mesh, i, skin});
   }
 }

@@ -67,6 +67,11 @@ Rows<T> rows_of(std::vector<std::pair<uint32_t, T>>& list, size_t vertices) {
   return out;
 }
 
+/// What is no whole number from 0 on is no joint of any skin.
+uint32_t joint_of(float number) {
+  return number >= 0 && number < 65536 ? static_cast<uint32_t>(number) : unskinned - 1;
+}
+
 /// Whether a weight does anything: those below 0 or not finite are taken for 0.
 bool has_weight(const Influence& influence) { return influence.weight > 0 && std::isfinite(influence.weight); }
 
@@ -132,14 +137,12 @@ void DeformReader::add_influences(const std::array<int, 2>& set, const std::vect
     accessor->need_components({4});
     if (accessor->count() != kept.size()) throw Fault(accessor->where() + " has not as many elements as the positions");
   }
-  if (joints.component() != Component::u8 && joints.component() != Component::u16)
-    throw Fault(joints.where() + " is of a type that joints do not have");
   document_.spend(kept.size() * 4 * influence_cost);
   for (size_t i = 0; i < kept.size(); ++i) {
     if (kept[i] == unused_vertex) continue;
     const glm::vec4 joint = joints.at(i), weight = weights.at(i);
     for (int c = 0; c < 4; ++c)
-      if (c == 0 || weight[c] != 0) influences_.push_back({kept[i], {static_cast<uint32_t>(joint[c]), weight[c]}});
+      if (c == 0 || weight[c] != 0) influences_.push_back({kept[i], {joint_of(joint[c]), weight[c]}});
   }
 }
 
