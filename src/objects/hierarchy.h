@@ -47,9 +47,9 @@ struct In {
 inline constexpr double loose = 1.3;
 
 /// Makes `hierarchy` hold the scene's triangles where they are now: builds it at first, refits it when objects have
-/// moved or deformed, builds it anew when refitting has made it loose, and else does nothing. What it does depends only on poses,
-/// never on time. Submits, and waits. Throws gpu::OutOfMemory, and UserError where a list is larger than the device can
-/// bind. (Stage: object hierarchy.)
+/// moved or deformed, builds it anew when refitting has made it loose, and else does nothing. What it does depends only
+/// on poses, never on time. Submits, and waits. Throws gpu::OutOfMemory, and UserError where a list is larger than the
+/// device can bind. (Stage: object hierarchy.)
 void update(gpu::Recorder& recorder, const In& in, Hierarchy& hierarchy);
 
 /// Fits all boxes to the triangles where they are now, and finds the SAH cost.

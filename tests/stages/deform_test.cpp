@@ -164,6 +164,29 @@ TEST_CASE("the scene's bounds hold what deforms") {
     }
 }
 
+TEST_CASE("what a skin mirrors keeps its front, and a mirror that one joint makes turns nothing") {
+  test::Random random(6);
+  SmallScene small = soft(random);
+  for (const bool mirrored : {false, true}) {
+    glm::mat4 m = random_matrix(random);
+    if (mirrored) m = glm::scale(m, {1, -1, 1});
+    small.pose.joints[0].assign(joints, m);
+    small.pose.weights[0].assign(targets, 0.0f);
+    gpu::Recorder recorder(test::device());
+    const scene::GpuScene gpu = small.on(recorder);
+    const auto a = recorder.read<glm::vec4>(gpu.corner_a, 40), b = recorder.read<glm::vec4>(gpu.corner_b, 40),
+               c = recorder.read<glm::vec4>(gpu.corner_c, 40);
+    const scene::Mesh& mesh = small.scene.meshes[small.scene.instances[0].mesh];
+    for (size_t t = 0; t < 40; ++t) {
+      const glm::uvec3 corner = mesh.triangles[t];
+      const glm::vec3 &p = mesh.positions[corner.x], &q = mesh.positions[corner.y], &r = mesh.positions[corner.z];
+      const glm::vec3 front = glm::inverseTranspose(glm::mat3(m)) * glm::cross(q - p, r - p);
+      const glm::vec3 ab(b[t] - a[t]), ac(c[t] - a[t]);
+      CHECK(glm::dot(glm::cross(ab, ac), front) > 0);
+    }
+  }
+}
+
 TEST_CASE("a mesh that nothing deforms is stored once, and no table of what deforms is made") {
   SmallScene small;
   const uint32_t quad = small.quad(glm::vec2(0), glm::vec2(1), small.material(test::matt(glm::vec3(1))));
