@@ -132,6 +132,7 @@ TEST_CASE("a frame at a key's time shows that key, at any number of frames a sec
       late += x_of(one, frame / rate) != float(frame);
       late += x_of(other, frame / rate) != float(frame);
       late += x_of(one, double(float(frame / rate))) != float(frame);
+      late += x_of(one, frame / double(float(rate))) != float(frame);
       off += std::abs(x_of(line, frame / rate) - float(frame)) > 1e-3f;
     }
     CHECK(late == 0);
