@@ -55,8 +55,12 @@ void main() {
     }
   }
   ADD_COUNTER(hits_counter, met)
-  parts = subgroupAdd(parts);
-  if (subgroupElect()) {
+  bool adds = true;
+  if (lanes_reconverge) {
+    parts = subgroupAdd(parts);
+    adds = subgroupElect();
+  }
+  if (adds) {
     uint low = parts.x + (parts.y << 16);
     uint carry = (parts.y + (parts.x >> 16)) >> 16;
     uint high = parts.z + (parts.w << 16) + carry;

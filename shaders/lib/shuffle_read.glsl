@@ -24,8 +24,14 @@ bool same_list(uint begin, uint end) {
 #endif
 }
 
-/// Whether `wanted` is true in any lane of the subgroup.
-bool any_lane(bool wanted) { return subgroupBallot(wanted) != uvec4(0u); }
+/// Whether `wanted` is true in any lane of the subgroup; asked only where all have the same list.
+bool any_lane(bool wanted) {
+#ifdef CRSH_NO_SHUFFLE
+  return wanted;
+#else
+  return subgroupBallot(wanted) != uvec4(0u);
+#endif
+}
 
 #ifdef CRSH_NO_SHUFFLE
 #define FROM_LANE(value, lane) (value)

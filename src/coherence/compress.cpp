@@ -19,14 +19,6 @@ struct DecompressPush {
   uint32_t ray_count, chunk_count;
 };
 
-/// How decompress.comp is cut up: places that one lane fills, and lanes of a workgroup.
-struct FillShape {
-  uint32_t run, group;
-};
-FillShape fill_shape(const gpu::Device& device) {
-  return device.info().software ? FillShape{256, 16} : FillShape{16, 64};
-}
-
 }  // namespace
 
 void compress(gpu::Recorder& recorder, CompressScratch& scratch, const gpu::Buffer& pairs, uint32_t ray_count,
@@ -74,9 +66,9 @@ void decompress(gpu::Recorder& recorder, CompressScratch& scratch, const Chunks&
                     chunks.count);
   primitives::scan(recorder, scratch.scan, scratch.skeleton, scratch.skeleton, uint64_t(chunks.count) + 1,
                    primitives::ScanType::exclusive);
-  const FillShape shape = fill_shape(recorder.device());
-  recorder.dispatch(gpu::Kernel("coherence/decompress", {{0, shape.group}, {1, shape.run}}),
-                    (uint64_t(ray_count) + shape.run - 1) / shape.run, DecompressPush{ray_count, chunks.count},
+  const gpu::Runs runs = recorder.device().tuning().fill_runs;
+  recorder.dispatch(gpu::Kernel("coherence/decompress", {{0, runs.group}, {1, runs.length}}),
+                    (uint64_t(ray_count) + runs.length - 1) / runs.length, DecompressPush{ray_count, chunks.count},
                     {{"rising", scratch.skeleton}, {"sorted_bases", scratch.sorted_bases}, {"order", order}},
                     ray_count);
 }

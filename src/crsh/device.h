@@ -30,11 +30,13 @@ struct DeviceInfo {
   std::string type;  ///< "discrete", "integrated", "virtual", "cpu" or "other"
   std::string uuid;  ///< 32 hex digits with dashes
   uint32_t subgroup_size = 0;
-  bool software = false;     ///< the device is a CPU
-  bool shuffles = false;     ///< compute shaders may pass values between lanes
-  bool ray_queries = false;  ///< it has acceleration structures and ray queries of its own
-  StageLimits stage;         ///< what one stage may bind
-  std::string unusable;      ///< why it cannot be used; empty when it can
+  bool software = false;        ///< the device is a CPU
+  bool shuffles = false;        ///< compute shaders may pass values between lanes
+  bool ray_queries = false;     ///< it has acceleration structures and ray queries of its own
+  bool reconvergence = false;   ///< lanes that part come together again where the program says so: it promises that
+  bool special_values = false;  ///< it promises that signed zeros, infinities and NaNs are kept by arithmetic
+  StageLimits stage;            ///< what one stage may bind
+  std::string unusable;         ///< why it cannot be used; empty when it can
 };
 
 struct DeviceRequest {

@@ -7,6 +7,7 @@
 
 #include "gpu/instance.h"
 #include "gpu/needs.h"
+#include "gpu/promises.h"
 
 namespace crsh::gpu {
 namespace {
@@ -72,13 +73,8 @@ const char* missing_feature(VkPhysicalDevice physical) {
 }
 
 bool has_ray_queries(VkPhysicalDevice physical) {
-  uint32_t count = 0;
-  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
-  std::vector<VkExtensionProperties> extensions(count);
-  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
   for (const char* wanted : ray_query_extensions)
-    if (std::ranges::none_of(extensions, [&](const auto& e) { return std::strcmp(e.extensionName, wanted) == 0; }))
-      return false;
+    if (!has_extension(physical, wanted)) return false;
   VkPhysicalDeviceRayQueryFeaturesKHR queries{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
   VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
@@ -87,6 +83,15 @@ bool has_ray_queries(VkPhysicalDevice physical) {
   structures.pNext = &queries, v12.pNext = &structures, features.pNext = &v12;
   vkGetPhysicalDeviceFeatures2(physical, &features);
   return v12.bufferDeviceAddress && structures.accelerationStructure && queries.rayQuery;
+}
+
+bool has_reconvergence(VkPhysicalDevice physical) {
+  if (!has_extension(physical, reconvergence_extension)) return false;
+  ReconvergenceFeature feature;
+  VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  features.pNext = &feature;
+  vkGetPhysicalDeviceFeatures2(physical, &features);
+  return feature.maximal_reconvergence;
 }
 
 StageLimits stage_limits_of(const VkPhysicalDeviceLimits& limits) {
@@ -114,6 +119,14 @@ std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties&
 }
 
 }  // namespace
+
+bool has_extension(VkPhysicalDevice physical, const char* name) {
+  uint32_t count = 0;
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> extensions(count);
+  vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
+  return std::ranges::any_of(extensions, [&](const auto& e) { return std::strcmp(e.extensionName, name) == 0; });
+}
 
 uint32_t find_queue_family(VkPhysicalDevice physical) {
   uint32_t count = 0;
@@ -143,6 +156,8 @@ DeviceInfo describe_device(VkPhysicalDevice physical, uint32_t index) {
   info.stage = stage_limits_of(core.limits);
   info.unusable = missing(physical, core);
   info.ray_queries = info.unusable.empty() && has_ray_queries(physical);
+  info.reconvergence = info.unusable.empty() && has_reconvergence(physical);
+  info.special_values = info.unusable.empty() && all.v12.shaderSignedZeroInfNanPreserveFloat32;
   return info;
 }
 

@@ -40,6 +40,8 @@ Device::Device(const DeviceRequest& request) : Device() {
   info_ = infos[index];
   info_.ray_queries = info_.ray_queries && !request.no_ray_queries;
   limits_ = device_limits(physical_);
+  tuning_ = choose_tuning(info_.software);
+  promises_ = promises_of(info_, instance_->layer_version());
   if (request.max_texels) limits_.max_texels = std::min(limits_.max_texels, request.max_texels);
   vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
   create_device();
@@ -78,12 +80,15 @@ void Device::create_device() {
   structures.accelerationStructure = VK_TRUE;
   if (info_.ray_queries) v12.bufferDeviceAddress = VK_TRUE, v13.pNext = &structures;
 
+  ReconvergenceFeature reconvergence{.next = &v12, .maximal_reconvergence = VK_TRUE};
+
   VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
-  info.pNext = &v12;
+  info.pNext = promises_.reconverges ? static_cast<void*>(&reconvergence) : &v12;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
   std::vector<const char*> extensions;
   if (info_.ray_queries) extensions.assign(ray_query_extensions.begin(), ray_query_extensions.end());
+  if (promises_.reconverges) extensions.push_back(reconvergence_extension);
   if (!request_.window_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   info.enabledExtensionCount = uint32_t(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();

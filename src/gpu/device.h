@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "crsh/device.h"
+#include "gpu/promises.h"
+#include "gpu/tuning.h"
 
 namespace crsh::gpu {
 
@@ -88,11 +90,18 @@ class Device {
   /// Another budget from here on, as in DeviceRequest; and a peak that forgets what was before.
   void set_memory_budget(uint64_t bytes) { request_.memory_budget = bytes; }
   void forget_peak() { peak_ = allocated_; }
+  /// What is chosen for speed.
+  [[nodiscard]] const Tuning& tuning() const { return tuning_; }
+  /// Whether lanes are together again wherever the program's text says so, in loops and branches too: only there
+  /// shuffles among them, and sums over them, are defined.
+  [[nodiscard]] bool reconverges() const { return info_.software || promises_.reconverges; }
   /// Whether kernels may pass values between lanes.
-  [[nodiscard]] bool may_shuffle() const { return info_.shuffles && !request_.no_shuffles; }
+  [[nodiscard]] bool may_shuffle() const { return info_.shuffles && reconverges() && !request_.no_shuffles; }
+  /// What shader modules promise besides what they say themselves.
+  [[nodiscard]] const Promises& promises() const { return promises_; }
   /// What follows the name of a kernel that comes in two builds (lib/shuffle_read.glsl): nothing where subgroups read
-  /// lists together, which pays on a CPU, or "-no-shuffle".
-  [[nodiscard]] const char* lane_variant() const { return info_.software && may_shuffle() ? "" : "-no-shuffle"; }
+  /// lists together, or "-no-shuffle".
+  [[nodiscard]] const char* lane_variant() const { return tuning_.share_loads && may_shuffle() ? "" : "-no-shuffle"; }
   /// Pipelines are made anew at their next use. None may be in use.
   void forget_programs();
   /// Milliseconds that the host has spent making pipelines since the last call.
@@ -140,6 +149,8 @@ class Device {
   DeviceRequest request_;
   DeviceInfo info_;
   Limits limits_;
+  Tuning tuning_;
+  Promises promises_;
   std::unique_ptr<Instance> instance_;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;

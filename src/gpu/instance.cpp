@@ -16,13 +16,14 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
-void require_validation_layer() {
+/// Its version.
+uint32_t require_validation_layer() {
   uint32_t count = 0;
   check(vkEnumerateInstanceLayerProperties(&count, nullptr), "listing the Vulkan layers");
   std::vector<VkLayerProperties> layers(count);
   check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "listing the Vulkan layers");
   for (const VkLayerProperties& layer : layers)
-    if (std::strcmp(layer.layerName, validation_layer) == 0) return;
+    if (std::strcmp(layer.layerName, validation_layer) == 0) return layer.specVersion;
   throw UserError(
       "validation was asked for, but its layer is missing: install the Debian package vulkan-validationlayers");
 }
@@ -49,7 +50,7 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info(Instance* instance) {
 Instance::Instance(bool validation, const std::vector<std::string>& window_extensions,
                    std::function<void(const std::string&)> say)
     : say_(std::move(say)) {
-  if (validation) require_validation_layer();
+  if (validation) layer_version_ = require_validation_layer();
   const VkValidationFeatureEnableEXT synchronisation = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
   const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(this);
   VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};

@@ -26,6 +26,8 @@ class Instance {
 
   [[nodiscard]] VkInstance handle() const { return instance_; }
   [[nodiscard]] uint64_t messages() const { return messages_; }
+  /// The Vulkan version that the validation layer was made for; 0 without validation.
+  [[nodiscard]] uint32_t layer_version() const { return layer_version_; }
   /// Counts a validation message, and says it. From any thread.
   void hear(const std::string& message);
   /// In the loader's order. Throws UserError (exit 77) where there is none.
@@ -33,6 +35,7 @@ class Instance {
 
  private:
   VkInstance instance_ = VK_NULL_HANDLE;
+  uint32_t layer_version_ = 0;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
   std::function<void(const std::string&)> say_;
   std::atomic<uint64_t> messages_ = 0;
@@ -45,6 +48,7 @@ inline constexpr std::array<const char*, 3> ray_query_extensions = {VK_KHR_DEFER
 
 /// What the device says of itself, with the reason why it cannot be used, if any.
 [[nodiscard]] DeviceInfo describe_device(VkPhysicalDevice physical, uint32_t index);
+[[nodiscard]] bool has_extension(VkPhysicalDevice physical, const char* name);
 [[nodiscard]] Limits device_limits(VkPhysicalDevice physical);
 /// The first family with graphics and compute, or UINT32_MAX.
 [[nodiscard]] uint32_t find_queue_family(VkPhysicalDevice physical);

@@ -9,6 +9,9 @@
 namespace crsh::gpu {
 namespace {
 
+/// The constant_id of `lanes_reconverge` (shaders/lib/counters.glsl). Shaders without it take no notice.
+constexpr uint32_t reconvergence_constant = 17;
+
 /// The value a kernel gives to a specialisation constant, else the shader's own.
 uint32_t specialised(const Kernel& kernel, uint32_t constant_id, uint32_t otherwise) {
   for (const auto& [id, value] : kernel.constants)
@@ -30,9 +33,9 @@ uint32_t count_group(const Kernel& kernel, const Reflection& reflection) {
 }  // namespace
 
 ShaderModule::ShaderModule(Device& device, std::string_view file) : device_(device) {
-  const std::span<const uint32_t> spirv = embedded_spirv(file);
+  const std::vector<uint32_t> spirv = with_promises(embedded_spirv(file), device.promises());
   VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-  info.codeSize = spirv.size_bytes();
+  info.codeSize = spirv.size() * sizeof(uint32_t);
   info.pCode = spirv.data();
   check(vkCreateShaderModule(device.handle(), &info, nullptr, &module_), "loading a shader");
 }
@@ -80,10 +83,12 @@ Program::Program(Device& device, const Kernel& kernel)
   const PipelineTimer timer(device);
   std::vector<VkSpecializationMapEntry> entries;
   std::vector<uint32_t> values;
-  for (const auto& [id, value] : kernel.constants) {
+  const auto add = [&](uint32_t id, uint32_t value) {
     entries.push_back({id, static_cast<uint32_t>(values.size() * sizeof(uint32_t)), sizeof(uint32_t)});
     values.push_back(value);
-  }
+  };
+  for (const auto& [id, value] : kernel.constants) add(id, value);
+  add(reconvergence_constant, device.reconverges());
   const VkSpecializationInfo constants{static_cast<uint32_t>(entries.size()), entries.data(),
                                        values.size() * sizeof(uint32_t), values.data()};
   const ShaderModule module(device, kernel.path + ".comp");

@@ -86,10 +86,9 @@ class Nodes {
     recorder_.submit_past(t.submit_work);
   }
 
-  /// How many nodes each cluster takes, one after the other. On a CPU several, because adding to the counters takes as
-  /// long as some tests.
+  /// How many nodes each cluster takes, one after the other.
   [[nodiscard]] uint32_t nodes_a_cluster() const {
-    return recorder_.device().info().software && cluster() > 1 ? 16 : 1;
+    return cluster() > 1 ? recorder_.device().tuning().nodes_a_cluster : 1;
   }
 
   /// How many lanes take a node; 1 where lanes cannot pass values to each other, or a subgroup has too few for a node's

@@ -69,7 +69,7 @@ void sum_runs(gpu::Recorder& recorder, const gpu::Buffer& source, uint64_t n, co
 }
 
 ScanShape scan_shape(const gpu::Device& device) {
-  return device.info().software ? ScanShape{256, 16} : ScanShape{16, 64};
+  return {device.tuning().scan_runs.length, device.tuning().scan_runs.group};
 }
 
 void scan(gpu::Recorder& recorder, ScanScratch& scratch, const gpu::Buffer& source, const gpu::Buffer& destination,

@@ -98,9 +98,11 @@ uint32_t cheapest_digit(uint64_t n, uint32_t key_bits, uint32_t lanes) {
 }  // namespace
 
 SortShape sort_shape(const gpu::Device& device, uint32_t n, uint32_t key_bits) {
-  if (!device.info().software) return {4, 64, 64};
-  constexpr uint32_t lanes = 32;
-  return {cheapest_digit(n, key_bits, lanes), n / (4 * lanes) * 4 + 4, 8};
+  const gpu::Tuning& tuning = device.tuning();
+  const auto [length, group] = tuning.sort_runs;
+  const uint32_t lanes = tuning.sort_lanes;
+  if (lanes == 0) return {tuning.sort_digit_bits, length, group};
+  return {cheapest_digit(n, key_bits, lanes), n / (4 * lanes) * 4 + 4, group};
 }
 
 void sort_pairs(gpu::Recorder& recorder, SortScratch& scratch, gpu::Buffer& pairs, uint32_t n, uint32_t key_bits,
