@@ -28,32 +28,45 @@ std::string difference_under(const std::string& mutation, const std::string& alg
                              RenderOptions options) {
   const Rendered truth = render(scene, options);
   options.mutation = mutation;
-  return difference(truth, render_with(algorithm, scene, options));
+  options.algorithm = preset(algorithm);
+  options.algorithm.least_rays = 0;
+  return difference(truth, render(scene, options));
 }
 
-TEST_CASE("the comparison of algorithms turns red when cones are too narrow") {
-  RenderOptions options;  // many triangles that are small beside a cone
-  options.width = 64;
-  options.height = 48;
-  options.bounces = 2;
-  CHECK(difference_under("narrow-cones", "crsh", own_scene("glass"), options) != "");
-  CHECK(difference_under("narrow-cones", "crsh-bvh", own_scene("glass"), options) != "");
-  CHECK(difference_under("narrow-cones", "rah", own_scene("glass"), options) != "");
-}
-
-RenderOptions options_of_many() {
+/// Mirrors all over, and nodes of all rays: cones are wide and triangles small beside them.
+RenderOptions mirrored(uint32_t width, uint32_t bounces) {
   RenderOptions options;
-  options.width = options.height = 256;
-  options.bounces = 2;
+  options.width = width;
+  options.height = width * 3 / 4;
+  options.bounces = bounces;
+  options.override_mirror = true;
   return options;
 }
 
-TEST_CASE("the comparison of algorithms turns red when pairs are dropped") {
+TEST_CASE("the comparison of algorithms turns red when cones are too narrow") {
+  // On lavapipe 12 to 400 rays are lost in each: what is left to chance elsewhere is how many.
+  for (const char* algorithm : {"crsh", "crsh-bvh", "rah"}) {
+    CAPTURE(std::string(algorithm));
+    CHECK(difference_under("narrow-cones", algorithm, own_scene("colonnade"), mirrored(64, 2)) != "");
+  }
+}
+
+/// One pair in 10,000 is lost, which need not be one that a hit depends on; and which ones are lost, the last bits of
+/// bounds decide. So there are as many pictures as it takes.
+bool is_loss_noticed(const std::string& algorithm) {
   BoxScene boxes;
-  const RenderOptions options = mirrored_boxes(boxes);
-  CHECK(difference_under("dropped-pairs", "crsh", scene_of(boxes), options) != "");
-  CHECK(difference_under("dropped-pairs", "crsh-bvh", own_scene("glass"), options_of_many()) != "");
-  CHECK(difference_under("dropped-pairs", "rah", scene_of(boxes), options) != "");
+  const RenderOptions of_boxes = mirrored_boxes(boxes);
+  if (difference_under("dropped-pairs", algorithm, scene_of(boxes), of_boxes) != "") return true;
+  for (const uint32_t width : {96u, 160u})
+    for (const char* scene : {"glass", "colonnade", "cornell"})
+      if (difference_under("dropped-pairs", algorithm, own_scene(scene), mirrored(width, 4)) != "") return true;
+  return false;
+}
+
+TEST_CASE("the comparison of algorithms turns red when pairs are dropped") {
+  CHECK(is_loss_noticed("crsh"));
+  CHECK(is_loss_noticed("crsh-bvh"));
+  CHECK(is_loss_noticed("rah"));
 }
 
 /// Hits do not depend on the order of rays; tests/stages/sort_test.cpp and coherence_test.cpp turn red.

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -14,6 +16,7 @@
 #include "output/ray_file.h"
 #include "output/whole_file.h"
 #include "rays/hash.h"
+#include "support/arithmetic.h"
 #include "support/device.h"
 #include "support/render.h"
 
@@ -92,10 +95,56 @@ std::map<std::string, std::string> recorded() {
   return lines;
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+  std::string spaced = text;
+  std::ranges::replace(spaced, '/', ' ');
+  std::istringstream stream(spaced);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// A preset's digests, one after the other.
+std::string digests_of(const std::string& lines) {
+  std::string digests;
+  const std::vector<std::string> words = words_of(lines);
+  for (size_t i = 1; i < words.size(); ++i)
+    if (words[i - 1] == "hits") digests += words[i] + " ";
+  return digests;
+}
+
+/// Whether these are the recorded counters but for what last bits decide: digests, which are of distances, are left
+/// out; numbers of tests agree within 2% and numbers of rays and nodes do, too.
+std::string difference_but_for_bits(const std::string& lines, const std::string& expected) {
+  const std::vector<std::string> a = words_of(lines), b = words_of(expected);
+  if (a.size() != b.size()) return "other rays or levels:\n" + lines;
+  for (size_t i = 1; i < a.size(); ++i) {
+    if (a[i] == b[i] || a[i - 1] == "hits") continue;
+    const double left = std::atof(a[i].c_str()), right = std::atof(b[i].c_str());
+    if (a[i - 1] == "rays" || std::abs(left - right) > std::max(0.02 * right, 10.0))
+      return fmt::format("{} against {} after {} in\n{}", a[i], b[i], a[i - 1], lines);
+  }
+  return {};
+}
+
+/// Holds a preset's counters against the recorded ones: with other arithmetic than IEEE's, as far as they can be the
+/// same, and the digests against the first preset's.
+void check_lines(const std::string& lines, const std::string& expected, std::string& digests) {
+  INFO("where that is meant: CRSH_BLESS=1 build/test_images -tc='*recorded*', and look at the difference");
+  if (arithmetic().is_ieee()) {
+    CHECK(lines == expected);
+    return;
+  }
+  CHECK(difference_but_for_bits(lines, expected) == "");
+  if (digests.empty()) digests = digests_of(lines);
+  CHECK(digests_of(lines) == digests);
+}
+
 TEST_CASE("every preset has the recorded counters on the recorded rays, to the last test") {
   const std::map<std::string, std::string> expected = recorded();
   std::string all;
+  if (!arithmetic().is_ieee())
+    MESSAGE("presets are compared among each other, and to the recorded counters within 2%: ", arithmetic().text());
   for (const Recording& recording : recordings) {
+    std::string digests;
     const std::filesystem::path file = folder / (std::string(recording.scene) + ".npz");
     if (blesses() && !std::filesystem::exists(file)) record(recording, file);
     CHECK(std::filesystem::file_size(file) <= max_bytes);
@@ -104,8 +153,8 @@ TEST_CASE("every preset has the recorded counters on the recorded rays, to the l
       const std::string lines = replayed(recording, rays, name), start = fmt::format("{} {}", recording.scene, name);
       all += lines;
       const auto found = expected.find(start);
-      INFO("where that is meant: CRSH_BLESS=1 build/test_images -tc='*recorded*', and look at the difference");
-      if (!blesses()) CHECK(lines == (found == expected.end() ? start + ": nothing recorded" : found->second));
+      if (!blesses())
+        check_lines(lines, found == expected.end() ? start + ": nothing recorded" : found->second, digests);
     }
   }
   if (blesses()) output::write_whole(table_file, all);

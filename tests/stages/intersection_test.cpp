@@ -12,6 +12,7 @@
 #include "intersection/intersection.h"
 #include "shared/counters.h"
 #include "shared/limits.h"
+#include "support/arithmetic.h"
 #include "support/cases_trace.h"
 #include "support/device.h"
 
@@ -107,17 +108,29 @@ glm::uvec4 twin_hit(const shared::Ray& ray, const std::vector<Triangle>& triangl
 
 }  // namespace
 
+/// Where divisions are off by a unit or two in the last place, so are a ray's slopes and its distances: on slivers and
+/// at grazing incidence that grows, and near an edge it decides. So some hits may differ, but few.
+bool about_as_twin(bool hit, float t, const Meeting& twin) {
+  return hit == twin.hit && (!hit || std::abs(t - twin.t) <= 1e-5f * twin.t);
+}
+
 TEST_CASE("the hit test agrees with its twin bit for bit, and finds hits on every kind of triangle") {
-  uint32_t hits = 0, different = 0;
+  uint32_t hits = 0, different = 0, far = 0;
   for (const Trial& trial : trials(1, 200))
     for (uint32_t i = 0; i < rays_a_triangle; ++i) {
       const Meeting twin = hit_triangle(trial.rays[i], trial.triangle, trial.cull_back);
       const bool hit = trial.hits[i].y != shared::none;
       hits += hit;
       different += hit != twin.hit || (hit && trial.hits[i].x != std::bit_cast<uint32_t>(twin.t));
+      far += !about_as_twin(hit, std::bit_cast<float>(trial.hits[i].x), twin);
     }
-  CHECK(different == 0);
   CHECK(hits > 20'000);
+  if (arithmetic().is_ieee()) {
+    CHECK(different == 0);
+  } else {
+    MESSAGE("compared to 1e-5 only, but for 1 in 50: ", arithmetic().text(), "; ", different, " differ, so far ", far);
+    CHECK(far * 50 <= 200 * rays_a_triangle);
+  }
 }
 
 TEST_CASE("the hit test is right wherever the case is clear") {
@@ -137,6 +150,13 @@ TEST_CASE("the hit test is right wherever the case is clear") {
   CHECK(clear_hits > 2'000);
 }
 
+/// Triangles and transmittances are the same on every device; distances to the bit where its arithmetic is IEEE's.
+bool is_as_expected(const glm::uvec4& hit, const glm::uvec4& expected, bool shadow) {
+  if (shadow || arithmetic().is_ieee()) return hit == expected;
+  const float t = std::bit_cast<float>(hit.x), wanted = std::bit_cast<float>(expected.x);
+  return hit.y == expected.y && (t == wanted || std::abs(t - wanted) <= 1e-5f * wanted);
+}
+
 TEST_CASE("a closest hit goes to the lower triangle on a tie, and shadows add up whatever the order") {
   Random random(3);
   const std::vector<Triangle> opaque = {{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
@@ -152,9 +172,10 @@ TEST_CASE("a closest hit goes to the lower triangle on a tie, and shadows add up
                             stray_rays(random, triangles, 500, shared::kind_reflection)});
   const Traced all = tracer.trace_all(scene, rays);
   uint32_t different = 0, tinted = 0;
+  if (!arithmetic().is_ieee()) MESSAGE("distances are compared to 1e-5 only: ", arithmetic().text());
   for (uint32_t i = 0; i < rays.batch.count; ++i) {
     const glm::uvec4 expected = twin_hit(rays.sorted_rays[i], triangles, uint32_t(opaque.size()), tint);
-    different += all.hits[i] != expected;
+    different += !is_as_expected(all.hits[i], expected, i < 1000);
     tinted += i < 1000 && expected.x > 0 && expected.x < UINT32_MAX;
   }
   CHECK(different == 0);

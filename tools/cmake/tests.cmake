@@ -9,8 +9,17 @@ if(NOT embree_FOUND)
 endif()
 
 file(GLOB support CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
-add_library(test_support STATIC ${support})
+# The tests' only shader of their own, as a C++ array.
+set(arithmetic_shader ${PROJECT_SOURCE_DIR}/tests/support/arithmetic.comp)
+set(arithmetic_header ${CMAKE_BINARY_DIR}/generated/tests/arithmetic_probe.h)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/generated/tests)
+add_custom_command(OUTPUT ${arithmetic_header}
+  COMMAND ${GLSLANG} --quiet --target-env vulkan1.3 --target-env spirv1.5 --vn arithmetic_probe -o ${arithmetic_header}
+          ${arithmetic_shader}
+  DEPENDS ${arithmetic_shader} COMMENT "Shader arithmetic.comp" VERBATIM)
+add_library(test_support STATIC ${support} ${arithmetic_header})
 target_include_directories(test_support PUBLIC ${PROJECT_SOURCE_DIR}/tests)
+target_include_directories(test_support PRIVATE ${CMAKE_BINARY_DIR}/generated/tests)
 target_compile_definitions(test_support PUBLIC
   CRSH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CRSH_BUILD_DIR="${CMAKE_BINARY_DIR}")
 set(engine ${built})
