@@ -39,15 +39,27 @@ bool same_distance(double a, double b, double resolution) {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+/// How well barycentric coordinates can be known in float32: the margin; and where the triangle looks thin, half a unit
+/// in the last place of its corners as seen from the ray's origin, against how high it looks.
+double barycentric_resolution(const OracleRay& ray, const OracleTriangle& triangle, double cosine) {
+  const glm::dvec3 a(triangle.a), b(triangle.b), c(triangle.c), origin(ray.origin);
+  const double reach = std::max({largest(a - origin), largest(b - origin), largest(c - origin)});
+  const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+  const double height = glm::length(glm::cross(b - a, c - a)) / longest * cosine;
+  return std::max(margin, 0x1p-24 * reach / std::max(height, 1e-30));
+}
+
 /// How well a distance can be known in float32, however short it is: four units in the last place of the largest
-/// coordinate, along the ray; and where a long thin triangle lies along the ray, the margin in barycentric coordinates.
+/// coordinate, along the ray; and as far as the triangle's depths differ, what is known of the barycentric coordinates
+/// that weigh them.
 double resolution(const OracleRay& ray, const OracleTriangle& triangle) {
   const glm::dvec3 a(triangle.a), b(triangle.b), c(triangle.c), direction(ray.direction);
   const double cosine = std::abs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), direction));
   const double size = std::max({largest(ray.origin), largest(a), largest(b), largest(c)});
   const auto [nearest, farthest] =
       std::minmax({glm::dot(a, direction), glm::dot(b, direction), glm::dot(c, direction)});
-  return std::max(4 * 0x1p-23 * size / std::max(cosine, 1e-6), margin * (farthest - nearest));
+  return std::max(4 * 0x1p-23 * size / std::max(cosine, 1e-6),
+                  barycentric_resolution(ray, triangle, cosine) * (farthest - nearest));
 }
 
 glm::uvec3 saturating_sum(const glm::uvec3& a, const glm::uvec3& b) {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include <tuple>
 
 #include "oracle/judge.h"
+#include "shared/ray.h"
 #include "support/device.h"
 #include "support/render.h"
 
@@ -131,6 +133,29 @@ TEST_CASE("Embree agrees on every ray of the shared scenes, and all presets agre
     CAPTURE(view.path);
     check_scene(*scene, view.options);
   }
+}
+
+/// A ray that begins beside the middle of a strip, 11 m long and 15 mm wide, and meets it at `t`.
+Verdict verdict_on_strip(float t) {
+  const std::vector<OracleTriangle> strip = {{{0.00724005699f, 5.72931147f, 2.50748849f},
+                                              {0.00724005699f, 5.72331095f, 2.52148843f},
+                                              {-10.9127598f, 5.72331095f, 2.52148795f}}};
+  RayTable rays;
+  rays.origin = {{-7.69004f, 5.7218595f, 2.521371f}};
+  rays.direction = {{0.78596246f, 0.49635667f, -0.3686367f}};
+  rays.tmax = {INFINITY};
+  rays.kind = {shared::kind_reflection};
+  rays.hit = {0};
+  rays.t = {t};
+  rays.bounce = {0};
+  rays.transmittance.resize(1);
+  return judged(rays, strip);
+}
+
+TEST_CASE("how far along a ray a thin strip is, is known as well as float32 knows the strip's corners") {
+  CHECK(verdict_on_strip(0.0044383166f).disagreed == 0);  // in double precision
+  CHECK(verdict_on_strip(0.004583468f).wrong == 0);       // as a GPU found it
+  CHECK(verdict_on_strip(0.0058f).wrong == 1);
 }
 
 /// What the oracle finds while a fault is at work.
