@@ -31,7 +31,7 @@ class MeshList {
  private:
   std::optional<uint32_t> append(int64_t index) {
     const auto default_material = static_cast<uint32_t>(document_.model().materials.size());
-    Mesh mesh = read_mesh(document_, index, default_material, scene_.texcoords, notes_);
+    Mesh mesh = read_mesh(document_, index, default_material, notes_, scene_.texcoords);
     if (mesh.triangles.empty()) return {};
     scene_.meshes.push_back(std::move(mesh));
     return static_cast<uint32_t>(scene_.meshes.size() - 1);

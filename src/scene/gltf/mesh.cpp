@@ -218,8 +218,8 @@ void fill_up(Mesh& mesh) {
 
 }  // namespace
 
-Mesh read_mesh(Document& document, int64_t index, uint32_t default_material,
-               const std::array<uint32_t, uv_sets>& texcoords, Notes& notes) {
+Mesh read_mesh(Document& document, int64_t index, uint32_t default_material, Notes& notes,
+               const std::array<uint32_t, uv_sets>& texcoords) {
   const tinygltf::Mesh& from = at(document.model().meshes, index, "meshes");
   const std::string where = place("meshes", index) + ".primitives";
   MeshReader reader(document, notes, default_material, texcoords);

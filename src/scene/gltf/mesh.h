@@ -12,7 +12,7 @@ namespace crsh::scene {
 /// Reads glTF mesh `index`. Triangles carry glTF's material indices (`default_material` where they have none);
 /// only vertices that a triangle uses are kept. A mesh of points or lines alone has no triangles.
 /// `texcoords`: which sets of texture coordinates become Mesh::uv.
-[[nodiscard]] Mesh read_mesh(Document& document, int64_t index, uint32_t default_material,
-                             const std::array<uint32_t, uv_sets>& texcoords, Notes& notes);
+[[nodiscard]] Mesh read_mesh(Document& document, int64_t index, uint32_t default_material, Notes& notes,
+                             const std::array<uint32_t, uv_sets>& texcoords = {0, 1, 2});
 
 }  // namespace crsh::scene
