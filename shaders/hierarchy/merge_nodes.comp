@@ -14,12 +14,10 @@ void main() {
   BOUND node = child_nodes[ranges[i].x];
   float far_end = child_intervals[ranges[i].x].far_end;
   uint child = ranges[i].x + 1u, end = ranges[i].y;
-  if (child < end) {
-    for (;;) {
-      node = bound_merge(node, child_nodes[child]);
-      far_end = max(far_end, child_intervals[child].far_end);
-      if (++child >= end) break;
-    }
+  while (child < end) {  // SwiftShader of 2024 goes wrong where the test is at the loop's end
+    node = bound_merge(node, child_nodes[child]);
+    far_end = max(far_end, child_intervals[child].far_end);
+    ++child;
   }
   store(i, node, far_end);
 }

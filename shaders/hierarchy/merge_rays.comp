@@ -12,13 +12,11 @@ void main() {
   BOUND node = bound_of_ray(ray);
   float far_end = ray.origin.w;
   uint child = ranges[i].x + 1u, end = ranges[i].y;
-  if (child < end) {
-    for (;;) {
-      ray = sorted_ray(child);
-      node = bound_merge_ray(node, ray);
-      far_end = max(far_end, ray.origin.w);
-      if (++child >= end) break;
-    }
+  while (child < end) {  // SwiftShader of 2024 goes wrong where the test is at the loop's end
+    ray = sorted_ray(child);
+    node = bound_merge_ray(node, ray);
+    far_end = max(far_end, ray.origin.w);
+    ++child;
   }
   store(i, node, far_end);
 }

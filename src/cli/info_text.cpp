@@ -86,14 +86,26 @@ Json limits_json(const gpu::StageLimits& available) {
 
 }  // namespace
 
+namespace {
+
+/// What a device may have and need not.
+std::string extras_text(const gpu::DeviceInfo& device) {
+  const auto has = [](bool present, const char* what) { return fmt::format("{} {}", present ? "has" : "no", what); };
+  return fmt::format("{}, {}, {}", has(device.ray_queries, "ray queries"),
+                     has(device.reconvergence, "maximal reconvergence"),
+                     has(device.special_values, "promise of infinities"));
+}
+
+}  // namespace
+
 std::string devices_text(const std::vector<gpu::DeviceInfo>& devices) {
   std::string text;
   for (const gpu::DeviceInfo& device : devices)
     text += fmt::format(
-        "{}: {}\n   {}, driver {} {}, Vulkan {}, subgroups of {}\n   UUID {}\n   needs {}\n   "
+        "{}: {}\n   {}, driver {} {}, Vulkan {}, subgroups of {}\n   UUID {}\n   {}\n   needs {}\n   "
         "{}\n",
         device.index, device.name, device.type, device.driver, device.driver_version, device.api_version,
-        device.subgroup_size, device.uuid, gpu::needs_text(device.stage, gpu::max_needed()),
+        device.subgroup_size, device.uuid, extras_text(device), gpu::needs_text(device.stage, gpu::max_needed()),
         device.unusable.empty() ? "usable" : "not usable: " + device.unusable);
   return text;
 }
@@ -103,6 +115,9 @@ Json devices_json(const std::vector<gpu::DeviceInfo>& devices) {
     Json json = {{"index", device.index}};
     json.update(output::device_json(device));
     json["uuid"] = device.uuid;
+    json["ray_queries"] = device.ray_queries;
+    json["maximal_reconvergence"] = device.reconvergence;
+    json["special_values"] = device.special_values;
     json["limits"] = limits_json(device.stage);
     json["usable"] = device.unusable.empty();
     json["reason"] = device.unusable.empty() ? Json() : Json(device.unusable);

@@ -19,10 +19,12 @@ TEST_CASE("info lists the devices, as text and as JSON") {
   const test::Outcome text = crsh({"info"});
   CHECK(text.status == 0);
   CHECK(text.out.starts_with("0: "));
-  CHECK(text.out.find("UUID") != std::string::npos);
+  for (const char* part : {"UUID", "ray queries", "maximal reconvergence"})
+    CHECK(text.out.find(part) != std::string::npos);
   const auto json = nlohmann::json::parse(crsh({"info", "--json"}).out);
   CHECK(json["schema"] == "crsh-info/1");
-  for (const char* name : {"index", "name", "type", "driver", "uuid", "usable", "reason", "subgroup_size"})
+  for (const char* name : {"index", "name", "type", "driver", "uuid", "usable", "reason", "subgroup_size",
+                           "ray_queries", "maximal_reconvergence", "special_values"})
     CHECK(json["devices"][0].contains(name));
 }
 

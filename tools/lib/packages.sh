@@ -15,10 +15,10 @@ build_packages=(
 window_packages=(libglfw3-dev libimgui-dev)
 
 # What the tests want besides: the validation layers, an independent ray tracer and image comparison, a display,
-# clang-format, and those who read completions, the manual page and makefiles.
+# clang-format, SwiftShader (chromium-common has it), and those who read completions, the manual page and makefiles.
 test_packages=(
   vulkan-validationlayers libembree-dev python3-numpy openimageio-tools xvfb xauth openbox
-  clang-format zsh fish groff-base make
+  clang-format zsh fish groff-base make chromium-common
 )
 
 # Prints those of the packages that are not installed.
