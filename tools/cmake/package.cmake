@@ -21,7 +21,8 @@ endforeach()
 add_library(crsh_library STATIC ${library_objects})
 set_target_properties(crsh_library PROPERTIES OUTPUT_NAME crsh EXPORT_NAME crsh LINKER_LANGUAGE CXX)
 target_compile_features(crsh_library INTERFACE cxx_std_20)
-target_link_libraries(crsh_library PUBLIC crsh::glm PRIVATE Vulkan::Vulkan fmt::fmt crsh::stb)
+list(TRANSFORM crsh_decoders PREPEND crsh:: OUTPUT_VARIABLE decoders)
+target_link_libraries(crsh_library PUBLIC crsh::glm PRIVATE Vulkan::Vulkan fmt::fmt ${decoders})
 
 # Every header of src/crsh/ that holds no internals, and those of shaders/shared/, which they include, in crsh/shared/:
 # an include folder of others has no room for a "shared".

@@ -8,6 +8,7 @@ build_packages=(
   g++ cmake ninja-build ccache
   libvulkan-dev glslang-tools spirv-headers mesa-vulkan-drivers
   libopenexr-dev libzip-dev libstb-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev
+  libpng-dev libjpeg-dev libwebp-dev libavif-dev
   doctest-dev
 )
 

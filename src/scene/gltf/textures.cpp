@@ -129,11 +129,11 @@ std::optional<uint32_t> TextureReader::read_image(int index) {
 }
 
 Image TextureReader::decoded(const ImageSource& source) {
-  if (source.view) return decode_image(document_.view(static_cast<int64_t>(*source.view)));
+  if (source.view) return decode_image(document_.view(static_cast<int64_t>(*source.view))).image;
   if (source.uri.empty()) throw Fault("has no data");
   const Bytes bytes = document_.read(source.uri);
   try {
-    return decode_image(bytes);
+    return decode_image(bytes).image;
   } catch (const Fault& fault) {
     throw Fault(uri_name(source.uri) + " " + fault.what());
   }
