@@ -163,13 +163,19 @@ class MaterialReader {
 
 }  // namespace
 
+/// Twice: what is read first tells the textures which images are drawn.
 void read_materials(Document& document, const std::set<uint32_t>& used, Scene& scene, Notes& notes) {
   const std::vector<tinygltf::Material>& materials = document.model().materials;
   scene.materials.resize(materials.size() + 1);
   TextureReader textures(document, scene, notes);
-  MaterialReader reader(textures);
-  for (const uint32_t index : used)
-    if (index < materials.size()) scene.materials[index] = reader.read(materials[index], place("materials", index));
+  const auto read_all = [&] {
+    MaterialReader reader(textures);
+    for (const uint32_t index : used)
+      if (index < materials.size()) scene.materials[index] = reader.read(materials[index], place("materials", index));
+  };
+  read_all();
+  textures.start_reading();
+  read_all();
 }
 
 }  // namespace crsh::scene

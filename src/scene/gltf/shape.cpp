@@ -163,7 +163,13 @@ constexpr Field material_fields[] = {text("name"),
                                      object("pbrMetallicRoughness", roughness),
                                      object("extensions", material_extensions)};
 constexpr Shape material{material_fields, sizeof(tinygltf::Material)};
-constexpr Field texture_fields[] = {index("source"), index("sampler")};
+constexpr Field other_image_fields[] = {index("source")};
+constexpr Shape other_image{other_image_fields};
+constexpr Field texture_file_fields[] = {object("KHR_texture_basisu", other_image),
+                                         object("EXT_texture_webp", other_image),
+                                         object("EXT_texture_avif", other_image)};
+constexpr Shape texture_files{texture_file_fields};
+constexpr Field texture_fields[] = {index("source"), index("sampler"), object("extensions", texture_files)};
 constexpr Shape texture{texture_fields, sizeof(tinygltf::Texture)};
 constexpr Field sampler_fields[] = {index("magFilter"), index("minFilter"), index("wrapS"), index("wrapT")};
 constexpr Shape sampler{sampler_fields, sizeof(tinygltf::Sampler)};

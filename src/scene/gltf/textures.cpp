@@ -1,17 +1,12 @@
 #include "scene/gltf/textures.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "scene/gltf/checked.h"
-#include "scene/gltf/image.h"
 
 namespace crsh::scene {
 
 namespace {
-
-// Images of one file may take this many texels together; more are drawn without (2 GiB).
-constexpr uint64_t max_texels = uint64_t{1} << 29u;
 
 Wrap wrap_of(int code, const std::string& name) {
   switch (code) {
@@ -58,6 +53,17 @@ void set_sampler(Texture& texture, const tinygltf::Sampler& sampler, const std::
   texture.wrap_t = wrap_of(sampler.wrapT, where + ".wrapT");
 }
 
+/// The images that stand for a texture, the best first: `source` is what is left to those who cannot read the
+/// extension's.
+std::vector<int> sources_of(const tinygltf::Texture& texture, const std::string& where) {
+  std::vector<int> out;
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif"})
+    if (const auto extension = Extension::of(texture.extensions, name, where))
+      if (const int source = extension->index("source"); source >= 0) out.push_back(source);
+  if (texture.source >= 0) out.push_back(texture.source);
+  return out;
+}
+
 }  // namespace
 
 TextureUse TextureReader::use(const Extension& extension, const std::string& key) {
@@ -87,18 +93,29 @@ uint32_t TextureReader::slot_of(uint32_t set) {
 }
 
 std::optional<uint32_t> TextureReader::texture(int index) {
+  if (!reading_) return want(index);
   const auto [found, fresh] = textures_.try_emplace(index);
   if (fresh) found->second = read_texture(index);
   return found->second;
 }
 
+/// None yet. Only the images that will be drawn are decoded: a fallback is if its better turns out to be broken.
+std::nullopt_t TextureReader::want(int index) {
+  const tinygltf::Texture& from = at(document_.model().textures, index, "textures");
+  const std::vector<int> sources = sources_of(from, place("textures", index));
+  for (const int source : sources)
+    if (images_.want(source)) break;
+  return std::nullopt;
+}
+
 std::optional<uint32_t> TextureReader::read_texture(int index) {
   const tinygltf::Texture& from = at(document_.model().textures, index, "textures");
-  if (from.source < 0) {
-    notes_.add("textures without a PNG or JPEG image (drawn without them)");
+  const std::vector<int> sources = sources_of(from, place("textures", index));
+  if (sources.empty()) {
+    notes_.add("textures without an image (drawn without them)");
     return {};
   }
-  const std::optional<uint32_t> own_image = image(from.source);
+  const std::optional<uint32_t> own_image = image(sources);
   if (!own_image) return {};
   Texture out{*own_image};
   if (from.sampler >= 0)
@@ -107,35 +124,28 @@ std::optional<uint32_t> TextureReader::read_texture(int index) {
   return static_cast<uint32_t>(scene_.textures.size() - 1);
 }
 
-std::optional<uint32_t> TextureReader::image(int index) {
-  const auto [found, fresh] = images_.try_emplace(index);
-  if (fresh) found->second = read_image(index);
-  return found->second;
-}
-
-/// A picture that is missing or broken does not keep the scene from being drawn.
-std::optional<uint32_t> TextureReader::read_image(int index) {
-  const ImageSource& source = document_.image(index);
-  try {
-    if (texels_ > max_texels) throw Fault("the others take 2 GiB already");
-    Image picture = decoded(source);
-    texels_ += picture.rgba.size() / 4;
-    scene_.images.push_back(std::move(picture));
-    return static_cast<uint32_t>(scene_.images.size() - 1);
-  } catch (const Fault& fault) {
-    notes_.add("texture " + place("images", index) + " (" + fault.what() + ": drawn without it)");
-    return {};
+/// The first that can be drawn. Pictures that are missing or broken do not keep the scene from being drawn.
+std::optional<uint32_t> TextureReader::image(const std::vector<int>& sources) {
+  for (size_t i = 0; i < sources.size(); ++i) {
+    const std::optional<uint32_t> found = images_.read(sources[i], scene_.images);
+    if (!found) continue;
+    note_sources(sources, i);
+    return found;
   }
+  note_sources(sources, sources.size());
+  return {};
 }
 
-Image TextureReader::decoded(const ImageSource& source) {
-  if (source.view) return decode_image(document_.view(static_cast<int64_t>(*source.view))).image;
-  if (source.uri.empty()) throw Fault("has no data");
-  const Bytes bytes = document_.read(source.uri);
-  try {
-    return decode_image(bytes).image;
-  } catch (const Fault& fault) {
-    throw Fault(uri_name(source.uri) + " " + fault.what());
+/// What is wrong with the sources up to the one that is drawn. That a format is not read is no fault of a file that
+/// brings another.
+void TextureReader::note_sources(const std::vector<int>& sources, size_t drawn) {
+  for (size_t i = 0; i < sources.size() && i <= drawn; ++i) {
+    const ImageReader::Verdict& verdict = images_.verdict(sources[i]);
+    if (verdict.reason.empty() || (verdict.unread_format && drawn < sources.size())) continue;
+    const std::string instead = i == drawn               ? "drawn as far as it goes"
+                                : drawn < sources.size() ? place("images", sources[drawn]) + " is drawn"
+                                                         : "drawn without it";
+    notes_.add("texture " + place("images", sources[i]) + " (" + verdict.reason + ": " + instead + ")");
   }
 }
 
