@@ -70,7 +70,7 @@ class PngReader {
 };
 
 /// Of all chunks but those that make the picture nothing is read: not gAMA and iCCP, as glTF says, and no texts, which
-/// may unpack to any length. Wrong checksums are let pass.
+/// may unpack to any length. Wrong checksums of chunks are let pass.
 void be_lenient(png_structp png) {
   static constexpr char left_out[] =
       "bKGD\0cHRM\0eXIf\0gAMA\0hIST\0iCCP\0iTXt\0oFFs\0pCAL\0pHYs\0sBIT\0sCAL\0sPLT\0sRGB\0sTER\0tEXt\0tIME\0zTXt";
@@ -78,7 +78,6 @@ void be_lenient(png_structp png) {
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, reinterpret_cast<png_const_bytep>(left_out),
                               sizeof left_out / 5);
   png_set_crc_action(png, PNG_CRC_QUIET_USE, PNG_CRC_QUIET_USE);
-  png_set_option(png, PNG_IGNORE_ADLER32, PNG_OPTION_ON);
   png_set_user_limits(png, longest_image_side, longest_image_side);
 }
 
