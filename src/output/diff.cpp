@@ -48,6 +48,8 @@ void check_layers(const Image& a, const Image& b, const std::vector<std::string>
 std::string find_mismatch(const Image& a, const Image& b, const std::vector<std::string>& layers, bool exact) {
   if (a.width != b.width || a.height != b.height)
     return fmt::format("sizes differ: {}x{} against {}x{}", a.width, a.height, b.width, b.height);
+  if (a.left != b.left || a.top != b.top)
+    return fmt::format("data windows differ: they begin at {},{} against {},{}", a.left, a.top, b.left, b.top);
   const auto names_a = names_of(a, layers), names_b = names_of(b, layers);
   if (names_a != names_b)
     return fmt::format("channels differ: {} against {}", fmt::join(names_a, " "), fmt::join(names_b, " "));

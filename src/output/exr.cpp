@@ -104,6 +104,8 @@ Image read_channels(Imf::InputFile& file) {
   Image image{.format = Format::exr,
               .width = static_cast<uint32_t>(window.max.x - window.min.x + 1),
               .height = static_cast<uint32_t>(window.max.y - window.min.y + 1),
+              .left = window.min.x,
+              .top = window.min.y,
               .channels = {}};
   const Imf::ChannelList& list = file.header().channels();
   for (auto channel = list.begin(); channel != list.end(); ++channel)

@@ -24,6 +24,7 @@ enum class Format { exr, png };
 struct Image {
   Format format = Format::exr;
   uint32_t width = 0, height = 0;
+  int32_t left = 0, top = 0;      ///< of the first pixel (OpenEXR's data window)
   std::vector<Channel> channels;  ///< sorted by name
   [[nodiscard]] const Channel* find(std::string_view name) const;
 };

@@ -47,6 +47,13 @@ TEST_CASE("exact does not take a half for a float") {
   CHECK(compared(half, real_image({0})).same);
 }
 
+TEST_CASE("images whose data windows begin elsewhere are not equal") {
+  Image shifted = real_image({0});
+  shifted.left = 1;
+  CHECK_FALSE(compared(shifted, real_image({0})).same);
+  CHECK(compared(shifted, real_image({0})).mismatch == "data windows differ: they begin at 1,0 against 0,0");
+}
+
 TEST_CASE("PNG differs absolutely, EXR relatively") {
   CHECK(compared(byte_image({100}), byte_image({102})).worst->difference == doctest::Approx(2 / 255.0));
   CHECK(compared(real_image({100}), real_image({101})).worst->difference == doctest::Approx(1 / 101.0));
