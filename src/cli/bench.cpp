@@ -52,10 +52,15 @@ std::string name_of(const BenchCommand& command, size_t scene) {
   return all > 1 ? fmt::format("{} {}", stem(scene), before + 1) : stem(scene);
 }
 
-/// Whether --allow-outside is said of all scenes or of this one.
-bool allows_outside(const BenchCommand& command, const BenchScene& scene) {
-  const auto says_so = [](const Given& one) { return one.key == "allow-outside" && one.value == "true"; };
-  return command.common.allow_outside || std::ranges::any_of(scene.given, says_so);
+/// Whether the flag of this name is given for the scene.
+bool is_given(const BenchScene& scene, std::string_view flag) {
+  return std::ranges::any_of(scene.given, [flag](const Given& one) { return one.key == flag && one.value == "true"; });
+}
+
+scene::LoadOptions load_options(const BenchCommand& command, const BenchScene& scene, const RenderOptions& options) {
+  return {.scene = options.scene,
+          .reach = reach_of(command.common.allow_outside || is_given(scene, "allow-outside")),
+          .lenient = command.common.lenient || is_given(scene, "lenient")};
 }
 
 /// Loads all scenes before anything is measured, so that a wrong path is reported at once.
@@ -63,7 +68,7 @@ std::vector<scene::Scene> load_scenes(const BenchCommand& command) {
   std::vector<scene::Scene> scenes;
   for (const BenchScene& asked : command.scenes) {
     const RenderOptions options = variants_of(command, asked).front().options;
-    scenes.push_back(load_scene(asked.path, options.scene, allows_outside(command, asked)));
+    scenes.push_back(load_scene(asked.path, load_options(command, asked, options)));
     scene::hide(scenes.back(), options.hidden);
     if (const auto& missing = scenes.back().unsupported; !missing.empty())
       say(command, fmt::format("{}: not supported and left out: {}", asked.path, fmt::join(missing, "; ")));

@@ -27,7 +27,7 @@ const char* const notes =
 struct InfoCommand {
   std::string scene;
   bool json = false;
-  bool allow_outside = false;
+  bool allow_outside = false, lenient = false;
 };
 
 void info_of_devices(bool json) {
@@ -40,7 +40,8 @@ void info_of_devices(bool json) {
 
 void run_info(const InfoCommand& command) {
   if (command.scene.empty()) return info_of_devices(command.json);
-  const scene::Scene scene = load_scene(command.scene, {}, command.allow_outside);
+  const scene::Scene scene =
+      load_scene(command.scene, {.reach = reach_of(command.allow_outside), .lenient = command.lenient});
   output::write_stdout(command.json ? output::json_text(scene_json(scene)) : scene_text(scene));
 }
 
@@ -48,15 +49,16 @@ void run_info(const InfoCommand& command) {
 
 Command info_command() {
   auto command = std::make_shared<InfoCommand>();
-  return {
-      .name = "info",
-      .summary = "Lists the Vulkan devices, or what is in a scene.",
-      .positionals = {{.name = "SCENE",
-                       .required = false,
-                       .set = [command](const std::string& path) { command->scene = path; }}},
-      .groups = {{"Options", {flag("--json", "As JSON.", command->json), allow_outside_row(command->allow_outside)}}},
-      .epilogue = notes,
-      .run = [command](const std::vector<std::string>&) { run_info(*command); }};
+  return {.name = "info",
+          .summary = "Lists the Vulkan devices, or what is in a scene.",
+          .positionals = {{.name = "SCENE",
+                           .required = false,
+                           .set = [command](const std::string& path) { command->scene = path; }}},
+          .groups = {{"Options",
+                      {flag("--json", "As JSON.", command->json), allow_outside_row(command->allow_outside),
+                       lenient_row(command->lenient)}}},
+          .epilogue = notes,
+          .run = [command](const std::vector<std::string>&) { run_info(*command); }};
 }
 
 }  // namespace crsh::cli

@@ -1,14 +1,14 @@
 #include "cli/load_scene.h"
 
-#include "scene/gltf/load.h"
-
 namespace crsh::cli {
 
-scene::Scene load_scene(const std::string& path, const std::string& which, bool allow_outside) {
+scene::Scene load_scene(const std::string& path, const scene::LoadOptions& options) {
   try {
-    return scene::load(path, which, allow_outside ? scene::Reach::anywhere : scene::Reach::folder);
+    return scene::load(path, options);
   } catch (const scene::OutsideError& error) {
     throw UserError(std::string(error.what()) + " (--allow-outside)", error.status());
+  } catch (const scene::ExtensionError& error) {
+    throw UserError(std::string(error.what()) + " (--lenient)", error.status());
   }
 }
 

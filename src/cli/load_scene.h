@@ -3,11 +3,16 @@
 
 #include <string>
 
-#include "scene/scene.h"
+#include "scene/gltf/load.h"
 
 namespace crsh::cli {
 
-/// As scene::load does; `allow_outside`: the files that it names may lie outside its own folder (--allow-outside).
-[[nodiscard]] scene::Scene load_scene(const std::string& path, const std::string& which, bool allow_outside);
+/// As scene::load does; where an option lets the scene be read, the error's line names it.
+[[nodiscard]] scene::Scene load_scene(const std::string& path, const scene::LoadOptions& options);
+
+/// How far the files may lie that a scene names: --allow-outside.
+[[nodiscard]] inline scene::Reach reach_of(bool allow_outside) {
+  return allow_outside ? scene::Reach::anywhere : scene::Reach::folder;
+}
 
 }  // namespace crsh::cli

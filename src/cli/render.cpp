@@ -187,12 +187,15 @@ void drop_unused_layers(RenderCommand& command) {
   if (std::ranges::none_of(command.outputs, is_exr)) command.options.layers = {LayerId::beauty};
 }
 
+scene::LoadOptions load_options(const RenderCommand& command) {
+  return {.scene = command.options.scene, .reach = reach_of(command.allow_outside), .lenient = command.lenient};
+}
+
 void run_render(RenderCommand& command, const std::vector<std::string>& line) {
   check_combinations(command);
   check_places(command);
   drop_unused_layers(command);
-  const auto scene =
-      std::make_shared<scene::Scene>(load_scene(command.scene, command.options.scene, command.allow_outside));
+  const auto scene = std::make_shared<scene::Scene>(load_scene(command.scene, load_options(command)));
   scene::hide(*scene, command.options.hidden);
   const RayTable rays = command.replay_rays.empty() ? RayTable() : read_replay(command);
   count_bounces_of(rays, command.options.bounces);

@@ -43,6 +43,7 @@ struct RenderCommand {
   ProgressChoice progress = ProgressChoice::automatic;
   bool quiet = false, verbose = false;
   bool allow_outside = false;  ///< files that the scene names may lie outside its folder
+  bool lenient = false;        ///< extensions that the scene requires may be missing here
 };
 
 /// All tables, bound to `command`. Rows are set in this order.

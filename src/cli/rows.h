@@ -26,6 +26,11 @@ inline Option allow_outside_row(bool& variable) {
   return flag("--allow-outside", "Read files that the scene names even where they lie outside its folder.", variable);
 }
 
+inline Option lenient_row(bool& variable) {
+  return flag("--lenient", "Draw a scene without the extensions that it requires and that are not done here.",
+              variable);
+}
+
 /// Text that may be anything; null when empty.
 inline Option text(std::string names, std::string value, std::string help, std::string& variable) {
   return {

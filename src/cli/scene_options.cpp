@@ -194,7 +194,8 @@ OptionGroup scene_options(RenderCommand& command) {
            vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
            vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
            fov_row(options.view.fov_degrees), orthographic_row(options.view.orthographic_height),
-           light_row(options.lights), hide_row(options.hidden), allow_outside_row(command.allow_outside)}};
+           light_row(options.lights), hide_row(options.hidden), allow_outside_row(command.allow_outside),
+           changes_pixels(lenient_row(command.lenient))}};
 }
 
 }  // namespace crsh::cli

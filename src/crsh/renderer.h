@@ -29,6 +29,7 @@ struct ReadOptions {
   std::string scene;                ///< which of the file's, by index or name; empty: its default
   std::vector<std::string> hidden;  ///< objects that are left out, by index or name
   bool allow_outside = false;       ///< files that the scene names may lie outside its own folder
+  bool lenient = false;             ///< draw it without the extensions that it requires and that are not done here
 };
 
 /// Reads .gltf or .glb. Throws UserError: the file, what is wrong with it, what helps.

@@ -13,9 +13,18 @@ const DeviceInfo& info_of(const DevicePtr& device) { return device->info(); }
 
 std::vector<DeviceInfo> list_devices() { return gpu::list_devices(); }
 
+namespace {
+
+scene::LoadOptions load_options(const ReadOptions& options) {
+  return {.scene = options.scene,
+          .reach = options.allow_outside ? scene::Reach::anywhere : scene::Reach::folder,
+          .lenient = options.lenient};
+}
+
+}  // namespace
+
 ScenePtr read_scene(const std::filesystem::path& path, const ReadOptions& options) {
-  auto scene = std::make_shared<scene::Scene>(
-      scene::load(path, options.scene, options.allow_outside ? scene::Reach::anywhere : scene::Reach::folder));
+  auto scene = std::make_shared<scene::Scene>(scene::load(path, load_options(options)));
   scene::hide(*scene, options.hidden);
   return scene;
 }

@@ -22,6 +22,7 @@ struct Wish {
   std::filesystem::path path;
   std::string which;           ///< of the file's scenes
   bool allow_outside = false;  ///< files that it names may lie outside its folder
+  bool lenient = false;        ///< extensions that it requires may be missing here
   uint64_t load = 0;           ///< another number than the last: the file is to be loaded
   uint64_t scene = 0;          ///< number of the load that `options` are for
   RenderOptions options;       ///< size and layers included; one sample

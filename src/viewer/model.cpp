@@ -178,6 +178,7 @@ Wish Model::wish() const {
   wish.path = path;
   wish.which = command.options.scene;
   wish.allow_outside = command.allow_outside;
+  wish.lenient = command.lenient;
   wish.load = load;
   wish.scene = loaded ? loaded->number : 0;
   RenderOptions& options = wish.options = command.options;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "output/whole_file.h"
@@ -103,6 +104,22 @@ TEST_CASE("a scene's files outside its folder are refused, with the option that 
   CHECK(crsh({"render", scene, "--allow-outside", "--size", "8x8", "-o", folder / "x.png"}).status == 0);
   CHECK(crsh({"bench", scene + " --allow-outside", "--algorithms", "brute", "--size", "8x8", "--repeat", "1"}).status ==
         0);
+}
+
+TEST_CASE("a scene that requires what is not done is refused by all its names, with the option that draws it") {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder / "needs.gltf";
+  std::ofstream(scene) << R"({"asset":{"version":"2.0"},"extensionsRequired":["EXT_none","CESIUM_RTC"]})";
+  for (const std::vector<std::string>& line :
+       {std::vector<std::string>{"info", scene}, {"render", scene, "-o", folder / "x.png"}, {"bench", scene}}) {
+    const test::Outcome outcome = crsh(line);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == 1);
+    CHECK(outcome.error_lines() == 1);
+    CHECK(outcome.err.find("CESIUM_RTC and EXT_none") != std::string::npos);
+    CHECK(outcome.err.ends_with("(--lenient)\n"));
+  }
+  CHECK(nlohmann::json::parse(crsh({"info", scene, "--json", "--lenient"}).out)["scene"]["unsupported"].size() == 2);
 }
 
 }  // namespace

@@ -12,9 +12,12 @@ namespace crsh::scene {
 
 namespace {
 
-Prepared prepared_json(std::span<const uint8_t> text) {
+/// Fills `names` on the way.
+Prepared prepared_json(std::span<const uint8_t> text, bool lenient, ExtensionNames& names) {
   nlohmann::json root = parse_json(text);
-  check_head(root);
+  check_version(root);
+  names = extensions_in(root);
+  if (!lenient) check_required(names);
   return prepare(std::move(root));
 }
 
@@ -27,11 +30,11 @@ void restore(tinygltf::Model& model, const Prepared& prepared) {
 
 }  // namespace
 
-Document::Document(const std::filesystem::path& path, Reach reach, uint64_t max_work)
+Document::Document(const std::filesystem::path& path, Reach reach, uint64_t max_work, bool lenient)
     : folder_(path.parent_path()), reach_(reach), work_left_(max_work) {
   const Bytes bytes = read_file(path);
   const Container container = open_container(bytes);
-  Prepared prepared = prepared_json(container.text);
+  Prepared prepared = prepared_json(container.text, lenient, extensions_);
   model_ = tiny_model(prepared.text);
   restore(model_, prepared);
   sources_ = std::move(prepared.buffers);

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "scene/gltf/known_extensions.h"
 #include "scene/gltf/prepare.h"
 #include "scene/gltf/uri.h"
 
@@ -18,12 +19,13 @@ namespace crsh::scene {
 /// first asked for, and every range is checked.
 class Document {
  public:
-  /// `max_work`: how many elements spend() allows.
+  /// `max_work`: how many elements spend() allows; `lenient`: required extensions may be missing here.
   explicit Document(const std::filesystem::path& path, Reach reach = Reach::folder,
-                    uint64_t max_work = uint64_t{1} << 30u);
+                    uint64_t max_work = uint64_t{1} << 30u, bool lenient = false);
 
   /// Its types are checked, its references are not: see at() in checked.h.
   [[nodiscard]] const tinygltf::Model& model() const { return model_; }
+  [[nodiscard]] const ExtensionNames& extensions() const { return extensions_; }
   /// The bytes of a bufferView.
   [[nodiscard]] std::span<const uint8_t> view(int64_t index);
   [[nodiscard]] const ImageSource& image(int64_t index) const;
@@ -39,6 +41,7 @@ class Document {
 
   std::filesystem::path folder_;
   Reach reach_;
+  ExtensionNames extensions_;
   std::optional<Bytes> binary_;  // the GLB's BIN chunk
   std::vector<BufferSource> sources_;
   std::vector<ImageSource> images_;

@@ -32,6 +32,13 @@ class OutsideFault : public Fault {
       : Fault(name + "lies outside the scene's folder", "put it beside the scene, or allow it explicitly") {}
 };
 
+/// A file requires extensions that crsh does not do.
+class NeedsExtensions : public Fault {
+ public:
+  explicit NeedsExtensions(const std::string& reason)
+      : Fault(reason, "export the scene without, or draw the rest of it") {}
+};
+
 /// Text from a file, made fit for one line of a terminal: no control characters, no more than `limit` bytes.
 [[nodiscard]] std::string printable(std::string_view text, size_t limit = 120);
 

@@ -1,7 +1,6 @@
 #include "scene/gltf/json.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -62,29 +61,6 @@ std::pair<unsigned, unsigned> version_of(const std::string& text) {
   return {major, minor};
 }
 
-void check_version(const json& root) {
-  const json* asset = find(root, "asset");
-  if (asset == nullptr) throw Fault("is no glTF: 'asset' is missing", "give a .gltf or .glb file");
-  if (!asset->is_object()) throw Fault("asset is not an object");
-  const std::string own = text_of(*asset, "version"), least = text_of(*asset, "minVersion");
-  const auto version = version_of(own);
-  if (version.first != 2 || (!least.empty() && version_of(least) > std::pair(2u, 0u)))
-    throw Fault("needs glTF " + printable(least.empty() ? own : least, 20), "convert it to glTF 2.0");
-}
-
-void check_required_extensions(const json& root) {
-  const json* required = find(root, "extensionsRequired");
-  if (required == nullptr) return;
-  if (!required->is_array()) throw Fault("extensionsRequired is not an array");
-  for (const json& name : *required) {
-    if (!name.is_string()) throw Fault("extensionsRequired holds something that is not a string");
-    if (!is_done_here(name.get_ref<const std::string&>()))
-      throw Fault(
-          "needs the extension " + printable(name.get_ref<const std::string&>(), 60) + ", which crsh does not do",
-          "export the scene without it");
-  }
-}
-
 }  // namespace
 
 json parse_json(std::span<const uint8_t> text) {
@@ -102,18 +78,14 @@ json parse_json(std::span<const uint8_t> text) {
   return root;
 }
 
-void check_head(const json& root) {
-  check_version(root);
-  check_required_extensions(root);
-}
-
-bool is_done_here(std::string_view extension) {
-  // Of KHR_texture_basisu: what stands beside it is drawn, or a line says of each texture that none does.
-  constexpr std::array<std::string_view, 10> done = {
-      "EXT_texture_avif",   "EXT_texture_webp",           "KHR_lights_punctual",  "KHR_materials_emissive_strength",
-      "KHR_materials_ior",  "KHR_materials_transmission", "KHR_materials_volume", "KHR_mesh_quantization",
-      "KHR_texture_basisu", "KHR_texture_transform"};
-  return std::find(done.begin(), done.end(), extension) != done.end();
+void check_version(const json& root) {
+  const json* asset = find(root, "asset");
+  if (asset == nullptr) throw Fault("is no glTF: 'asset' is missing", "give a .gltf or .glb file");
+  if (!asset->is_object()) throw Fault("asset is not an object");
+  const std::string own = text_of(*asset, "version"), least = text_of(*asset, "minVersion");
+  const auto version = version_of(own);
+  if (version.first != 2 || (!least.empty() && version_of(least) > std::pair(2u, 0u)))
+    throw Fault("needs glTF " + printable(least.empty() ? own : least, 20), "convert it to glTF 2.0");
 }
 
 }  // namespace crsh::scene

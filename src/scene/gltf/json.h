@@ -11,10 +11,7 @@ namespace crsh::scene {
 /// these are counted before anything is built of them.
 [[nodiscard]] nlohmann::json parse_json(std::span<const uint8_t> text);
 
-/// A Fault where the file is of another glTF than 2.0, or needs an extension that crsh does not do.
-void check_head(const nlohmann::json& root);
-
-/// Whether crsh does what the extension says.
-[[nodiscard]] bool is_done_here(std::string_view extension);
+/// A Fault where the file is of another glTF than 2.0.
+void check_version(const nlohmann::json& root);
 
 }  // namespace crsh::scene

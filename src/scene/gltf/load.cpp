@@ -8,7 +8,7 @@
 #include "scene/gltf/attachments.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/fault.h"
-#include "scene/gltf/json.h"
+#include "scene/gltf/known_extensions.h"
 #include "scene/gltf/load.h"
 #include "scene/gltf/material.h"
 #include "scene/gltf/nodes.h"
@@ -19,12 +19,8 @@ namespace crsh::scene {
 
 namespace {
 
-constexpr float farthest = 1e15f;  // metres; squares and products stay within float
-
-void note_extensions(const Document& document, Notes& notes) {
-  for (const std::string& name : document.model().extensionsUsed)
-    if (!is_done_here(name)) notes.add("extension " + printable(name, 60));
-}
+constexpr uint64_t max_work = uint64_t{1} << 30u;  // elements
+constexpr float farthest = 1e15f;                  // metres; squares and products stay within float
 
 std::set<uint32_t> materials_used(const Scene& scene) {
   std::set<uint32_t> used;
@@ -67,14 +63,14 @@ void drop_hidden(Scene& scene) {
   std::erase_if(scene.instances, [&](const Instance& instance) { return hidden[instance.node]; });
 }
 
-Scene read(const std::filesystem::path& path, const std::string& which, Reach reach) {
-  Document document(path, reach);
+Scene read(const std::filesystem::path& path, const LoadOptions& options) {
+  Document document(path, options.reach, max_work, options.lenient);
   Scene scene;
   scene.path = path;
   Notes notes(scene.unsupported);
-  note_extensions(document, notes);
+  note_extensions(document.extensions(), notes);
   scene.texcoords = texcoords_used(document);
-  const NodeMap nodes = read_nodes(document, which, scene);
+  const NodeMap nodes = read_nodes(document, options.scene, scene);
   read_instances(document, nodes, scene, notes);
   read_materials(document, materials_used(scene), scene, notes);
   const FilePlaces cameras = read_cameras(document, nodes, scene), lights = read_lights(document, nodes, scene);
@@ -85,7 +81,7 @@ Scene read(const std::filesystem::path& path, const std::string& which, Reach re
 }
 
 std::string line(const std::filesystem::path& path, const std::string& reason, const std::string& mend) {
-  return printable(path.string(), 4096) + ": " + printable(reason, 400) + "; " + printable(mend, 400);
+  return printable(path.string(), 4096) + ": " + printable(reason, 1200) + "; " + printable(mend, 400);
 }
 
 [[noreturn]] void refuse_as_too_large(const std::filesystem::path& path) {
@@ -94,11 +90,13 @@ std::string line(const std::filesystem::path& path, const std::string& reason, c
 
 }  // namespace
 
-Scene load(const std::filesystem::path& path, const std::string& which, Reach reach) {
+Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   try {
-    return read(path, which, reach);
+    return read(path, options);
   } catch (const OutsideFault& fault) {
     throw OutsideError(line(path, fault.what(), fault.mend()));
+  } catch (const NeedsExtensions& fault) {
+    throw ExtensionError(line(path, fault.what(), fault.mend()));
   } catch (const Fault& fault) {
     throw UserError(line(path, fault.what(), fault.mend()));
   } catch (const std::bad_alloc&) {
@@ -106,6 +104,10 @@ Scene load(const std::filesystem::path& path, const std::string& which, Reach re
   } catch (const std::length_error&) {
     refuse_as_too_large(path);
   }
+}
+
+Scene load(const std::filesystem::path& path, const std::string& which, Reach reach) {
+  return load(path, LoadOptions{.scene = which, .reach = reach});
 }
 
 }  // namespace crsh::scene

@@ -16,9 +16,24 @@ class OutsideError : public UserError {
   using UserError::UserError;
 };
 
-/// Loads .gltf or .glb. `which`: index or name of the glTF scene, empty: the file's default scene, else the first.
-/// Throws UserError (one line: file, reason, mend) for anything broken, an OutsideError for buffers beyond `reach`;
-/// what is merely unsupported goes to `unsupported`, and so do pictures beyond `reach`.
-[[nodiscard]] Scene load(const std::filesystem::path& path, const std::string& which = {}, Reach reach = Reach::folder);
+/// A scene requires extensions that crsh does not do. Whoever asked for it may add how it is drawn all the same.
+class ExtensionError : public UserError {
+ public:
+  using UserError::UserError;
+};
+
+/// What of a file is wanted, and how strictly it is read.
+struct LoadOptions {
+  std::string scene;            ///< index or name of the glTF scene; empty: the file's default scene, else the first
+  Reach reach = Reach::folder;  ///< of the files that it names
+  bool lenient = false;         ///< draw it without the extensions that it requires and crsh does not do
+};
+
+/// Loads .gltf or .glb. Throws UserError (one line: file, reason, mend) for anything broken, an OutsideError for
+/// buffers beyond reach, an ExtensionError; what is merely unsupported goes to `unsupported`, and so do pictures beyond
+/// reach.
+[[nodiscard]] Scene load(const std::filesystem::path& path, const LoadOptions& options = {});
+/// The same for one of the file's scenes.
+[[nodiscard]] Scene load(const std::filesystem::path& path, const std::string& which, Reach reach = Reach::folder);
 
 }  // namespace crsh::scene
