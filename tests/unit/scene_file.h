@@ -72,6 +72,7 @@ struct GltfText {
   std::string scenes = R"("scenes":[{"nodes":[0]}],"scene":0)";
   std::string more;  ///< further members of the root, each with a comma before it
   std::string asset = R"({"version":"2.0"})";
+  std::string more_buffers;  ///< behind the first, each with a comma before it
 
   /// Appends a bufferView with `content`; `options` are further members.
   size_t view(const std::string& content, const std::string& options = "") {
@@ -109,7 +110,7 @@ struct GltfText {
                       R"(],"meshes":[{"name":"m","primitives":[)" + primitives + "]}]";
     out += R"(,"accessors":[)" + list(accessors) + R"(],"bufferViews":[)" + list(views) +
            R"(],"buffers":[{"byteLength":)" + std::to_string(buffer.size());
-    return out + buffer_members + "}]" + more + "}";
+    return out + buffer_members + "}" + more_buffers + "]" + more + "}";
   }
 
   /// A .gltf with its data embedded.

@@ -9,6 +9,7 @@ build_packages=(
   libvulkan-dev glslang-tools spirv-headers mesa-vulkan-drivers
   libopenexr-dev libzip-dev libstb-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtinygltf-dev
   libpng-dev libjpeg-dev libwebp-dev libavif-dev
+  libdraco-dev libmeshoptimizer-dev
   doctest-dev
 )
 

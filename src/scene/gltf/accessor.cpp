@@ -86,13 +86,26 @@ std::span<const uint8_t> range(std::span<const uint8_t> view, uint64_t offset, u
 
 }  // namespace
 
+ElementType element_type(const Document& document, int64_t index) {
+  const tinygltf::Accessor& from = at(document.model().accessors, index, "accessors");
+  const std::string where = place("accessors", index);
+  return {components_of(from.type, where), component_of(from.componentType, where)};
+}
+
 Accessor::Accessor(Document& document, int64_t index) : where_(place("accessors", index)) {
   const tinygltf::Accessor& from = scene::at(document.model().accessors, index, "accessors");
-  count_ = from.count;
-  components_ = components_of(from.type, where_);
-  component_ = component_of(from.componentType, where_);
+  const Decoded* decoded = document.decoded(index);
+  const ElementType type = decoded ? decoded->type : element_type(document, index);
+  count_ = decoded ? decoded->count : from.count;
+  components_ = type.components;
+  component_ = type.component;
   normalised_ = from.normalized;
   size_ = components_ * size_of(component_);
+  if (decoded) {
+    stride_ = size_;
+    data_ = decoded->bytes;
+    return;
+  }
   read_dense(document, from);
   if (from.sparse.isSparse) substitute(document, from);
 }

@@ -8,11 +8,12 @@
 #include <span>
 
 #include "scene/gltf/document.h"
+#include "scene/gltf/element_type.h"
 
 namespace crsh::scene {
 
-/// glTF 2.0, section 3.6.2.2.
-enum class Component : uint32_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
+/// As the file says. A Fault for a type that is none of glTF's, or that nothing here reads.
+[[nodiscard]] ElementType element_type(const Document& document, int64_t index);
 
 class Accessor {
  public:

@@ -39,6 +39,7 @@ Document::Document(const std::filesystem::path& path, Reach reach, uint64_t max_
   restore(model_, prepared);
   sources_ = std::move(prepared.buffers);
   images_ = std::move(prepared.images);
+  compressed_ = std::move(prepared.compressed);
   if (container.binary) binary_.emplace(container.binary->begin(), container.binary->end());
 }
 
@@ -65,10 +66,39 @@ std::span<const uint8_t> Document::buffer(int64_t index) {
 
 std::span<const uint8_t> Document::view(int64_t index) {
   const tinygltf::BufferView& view = at(model_.bufferViews, index, "bufferViews");
-  const std::span<const uint8_t> whole = buffer(view.buffer);
-  if (view.byteOffset + view.byteLength > whole.size())
-    throw Fault(place("bufferViews", index) + " reaches past the end of its buffer");
-  return whole.subspan(view.byteOffset, view.byteLength);
+  const auto compressed = compressed_.find(index);
+  if (compressed != compressed_.end()) {
+    try {
+      return decompress(index, compressed->second);
+    } catch (const Fault&) {
+      if (!has_own_data(view.buffer)) throw;  // else it has the same once more, uncompressed
+    }
+  }
+  return part(view.buffer, view.byteOffset, view.byteLength, place("bufferViews", index));
+}
+
+std::span<const uint8_t> Document::part(int64_t of_buffer, uint64_t offset, uint64_t length, const std::string& where) {
+  const std::span<const uint8_t> whole = buffer(of_buffer);
+  if (offset + length > whole.size()) throw Fault(where + " reaches past the end of its buffer");
+  return whole.subspan(offset, length);
+}
+
+std::span<const uint8_t> Document::decompress(int64_t index, const CompressedView& view) {
+  const auto found = decompressed_.find(index);
+  if (found != decompressed_.end()) return found->second;
+  const std::string where = place("bufferViews", index);
+  spend(checked_size(view, where) / sizeof(float));
+  return decompressed_[index] = decompressed(view, part(view.buffer, view.offset, view.length, where), where);
+}
+
+bool Document::has_own_data(int64_t buffer) const {
+  return buffer >= 0 && static_cast<uint64_t>(buffer) < sources_.size() &&
+         !sources_[static_cast<size_t>(buffer)].uri.empty();
+}
+
+const Decoded* Document::decoded(int64_t accessor) const {
+  const auto found = decoded_.find(accessor);
+  return found == decoded_.end() ? nullptr : &found->second;
 }
 
 const ImageSource& Document::image(int64_t index) const { return at(images_, index, "images"); }

@@ -11,6 +11,7 @@
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/checked.h"
 #include "scene/gltf/deformers.h"
+#include "scene/gltf/draco.h"
 
 namespace crsh::scene {
 
@@ -142,6 +143,7 @@ class MeshReader {
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) return notes_.add("points and lines");
     const Layout layout = layout_of(primitive);
     if (!layout[0]) return notes_.add("primitives without positions");
+    decompress_draco(document_, primitive, where);
     const Block block{layout, deform_layout(primitive)};
     auto found = blocks_.find(block);
     if (found == blocks_.end()) found = blocks_.try_emplace(block, document_, layout).first;

@@ -49,10 +49,25 @@ void take_sources(json& root, Prepared& out) {
   for (json& image : images) out.images.push_back({whole(image, "bufferView"), uri_of(image)});
 }
 
-void take_strides(json& root, Prepared& out) {
+CompressedView compressed_view(const json& extension) {
+  return {.buffer = extension["buffer"].get<int64_t>(),
+          .offset = whole(extension, "byteOffset").value_or(0),
+          .length = extension["byteLength"].get<uint64_t>(),
+          .stride = extension["byteStride"].get<uint64_t>(),
+          .count = extension["count"].get<uint64_t>(),
+          .mode = extension["mode"].get<std::string>(),
+          .filter = extension.value("filter", std::string())};
+}
+
+/// What of the bufferViews tinygltf does not see.
+void take_views(json& root, Prepared& out) {
   for (json& view : list_of(root, "bufferViews")) {
+    const auto index = static_cast<int64_t>(out.strides.size());
     out.strides.push_back(whole(view, "byteStride").value_or(0));
     view.erase("byteStride");
+    if (const auto extensions = view.find("extensions"); extensions != view.end())
+      for (const auto& extension : *extensions) out.compressed.emplace(index, compressed_view(extension));
+    view.erase("extensions");
   }
 }
 
@@ -116,7 +131,7 @@ Prepared prepare(json root) {
   Prepared out;
   bring_into_shape(root, root_shape);
   take_sources(root, out);
-  take_strides(root, out);
+  take_views(root, out);
   check_accessors(root);
   check_cameras(root);
   settle_indices(root, out);

@@ -3,10 +3,13 @@
 // or refuse without naming the place.
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "scene/gltf/meshopt.h"
 
 namespace crsh::scene {
 
@@ -25,8 +28,9 @@ struct Prepared {
   std::vector<BufferSource> buffers;  ///< of the file, read when first asked for
   std::vector<ImageSource> images;
   std::vector<uint64_t> strides;  ///< of the bufferViews, 0 where they have none: tinygltf takes multiples of 4 alone
-  std::vector<uint64_t> bare;     ///< accessors without a bufferView that tinygltf 2.7 wants one of: they name another,
-                                  ///< behind the file's own
+  std::map<int64_t, CompressedView> compressed;  ///< of the bufferViews, those that are
+  std::vector<uint64_t> bare;  ///< accessors without a bufferView that tinygltf 2.7 wants one of: they name another,
+                               ///< behind the file's own
 };
 
 /// A Fault where a field is of the wrong type or out of range, or a needed one is missing.

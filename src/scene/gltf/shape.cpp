@@ -25,8 +25,19 @@ constexpr Field asset_fields[] = {text("version"), text("minVersion")};
 constexpr Shape asset{asset_fields};
 constexpr Field buffer_fields[] = {length("byteLength"), text("uri")};
 constexpr Shape buffer{buffer_fields, sizeof(tinygltf::Buffer)};
+constexpr Field meshopt_fields[] = {needed(index("buffer")),
+                                    length("byteOffset"),
+                                    needed(length("byteLength")),
+                                    needed(length("byteStride")),
+                                    needed(length("count")),
+                                    needed(text("mode")),
+                                    text("filter")};
+constexpr Shape meshopt{meshopt_fields};
+constexpr Field view_extension_fields[] = {object("EXT_meshopt_compression", meshopt),
+                                           object("KHR_meshopt_compression", meshopt)};
+constexpr Shape view_extensions{view_extension_fields};
 constexpr Field view_fields[] = {needed(index("buffer")), length("byteOffset"), needed(length("byteLength")),
-                                 length("byteStride")};
+                                 length("byteStride"), object("extensions", view_extensions)};
 constexpr Shape view{view_fields, sizeof(tinygltf::BufferView)};
 constexpr Field sparse_indices_fields[] = {needed(index("bufferView")), index("byteOffset"),
                                            needed(index("componentType"))};
@@ -47,8 +58,16 @@ constexpr Field attribute_fields[] = {index("POSITION"), index("NORMAL"),     in
 constexpr Shape attributes{attribute_fields};
 constexpr Field target_fields[] = {index("POSITION"), index("NORMAL"), index("TANGENT")};
 constexpr Shape target{target_fields, 4 * sizeof(std::map<std::string, int>)};
-constexpr Field primitive_fields[] = {needed(object("attributes", attributes)), index("indices"), index("material"),
-                                      index("mode"), list("targets", target)};
+constexpr Field draco_fields[] = {needed(index("bufferView")), needed(object("attributes", attributes))};
+constexpr Shape draco{draco_fields};
+constexpr Field primitive_extension_fields[] = {object("KHR_draco_mesh_compression", draco)};
+constexpr Shape primitive_extensions{primitive_extension_fields};
+constexpr Field primitive_fields[] = {needed(object("attributes", attributes)),
+                                      index("indices"),
+                                      index("material"),
+                                      index("mode"),
+                                      list("targets", target),
+                                      object("extensions", primitive_extensions)};
 constexpr Shape primitive{primitive_fields, sizeof(tinygltf::Primitive)};
 constexpr Field mesh_fields[] = {text("name"), list("primitives", primitive), numbers("weights", 0)};
 constexpr Shape mesh{mesh_fields, sizeof(tinygltf::Mesh)};

@@ -12,7 +12,7 @@ foreach(need IN LISTS crsh_needs)
   if(NOT ${need})
     set(crsh_FOUND FALSE)
     set(crsh_NOT_FOUND_MESSAGE
-        "it needs the Debian packages libglm-dev, libpng-dev, libjpeg-dev, libwebp-dev and libavif-dev")
+        "it needs the Debian packages libglm-dev, libpng-dev, libjpeg-dev, libwebp-dev, libavif-dev, libdraco-dev and libmeshoptimizer-dev")
     return()
   endif()
 endforeach()

@@ -2,7 +2,7 @@
 # find_package(crsh).
 
 # What reads pictures.
-set(crsh_decoders png jpeg webp avif)
+set(crsh_decoders png jpeg webp avif draco meshoptimizer)
 
 if(NOT TARGET crsh::glm)
   find_path(CRSH_GLM_INCLUDE_DIR glm/glm.hpp)
