@@ -1,6 +1,6 @@
 #version 460
 // The raster pass (section 3.1), vertices: corners come from the scene's tables, the projection has its depth reversed
-// and a perspective eye no far end. A triangle whose back lets eye rays pass and faces the eye is put outside the
+// and a perspective eye no far end unless its camera has one. A triangle whose back lets eye rays pass and faces the eye is put outside the
 // image.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,7 +15,8 @@ vec4 projected(vec3 point) {
   vec3 way = point - eye;
   vec3 seen = vec3(exact_dot(right, way) * scale_x, -exact_dot(up, way) * scale_y, exact_dot(forward, way));
   if (orthographic == 1.0) return vec4(seen.xy + shift, (far_plane - seen.z) / (far_plane - near_plane), 1.0);
-  return vec4(seen.xy + shift * seen.z, near_plane, seen.z);
+  float depth = far_plane == 0.0 ? near_plane : near_plane * (far_plane - seen.z) / (far_plane - near_plane);
+  return vec4(seen.xy + shift * seen.z, depth, seen.z);
 }
 
 void hand_over_vertex(uint corner) {

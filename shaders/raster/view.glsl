@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Push {
   vec3 forward;
   float near_plane;
   vec2 shift;         // of the image, in half widths and half heights: where in its pixel the sample lies
-  float far_plane;    // orthographic only
+  float far_plane;    // 0: a perspective eye sees without end
   float cone_spread;  // how much wider a pixel's cone gets in a metre
   float cone_width;   // and how wide it is at the eye, metres
 };

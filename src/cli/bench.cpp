@@ -60,6 +60,7 @@ bool is_given(const BenchScene& scene, std::string_view flag) {
 scene::LoadOptions load_options(const BenchCommand& command, const BenchScene& scene, const RenderOptions& options) {
   return {.scene = options.scene,
           .reach = reach_of(command.common.allow_outside || is_given(scene, "allow-outside")),
+          .variant = options.variant,
           .lenient = command.common.lenient || is_given(scene, "lenient")};
 }
 

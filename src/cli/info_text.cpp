@@ -72,6 +72,10 @@ std::string bounds_text(const scene::Bounds& bounds) {
                      size.z, bounds.low.x, bounds.low.y, bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z);
 }
 
+std::string variants_text(const scene::Scene& scene) {
+  return scene.variants.empty() ? "0" : fmt::format("{}: {}", scene.variants.size(), fmt::join(scene.variants, ", "));
+}
+
 std::string clauses_text(const std::vector<std::string>& clauses) {
   return clauses.empty() ? "nothing" : fmt::format("{}", fmt::join(clauses, "; "));
 }
@@ -136,8 +140,8 @@ std::string scene_text(const scene::Scene& scene) {
          line("materials", std::to_string(material_count(scene))) +
          line("textures", std::to_string(scene.textures.size())) + line("lights", counted(scene.lights, light)) +
          line("cameras", counted(scene.cameras, [](const scene::Camera& camera) { return type_of(camera); })) +
-         line("animations", counted(scene.animations, animation)) + line("bounds", bounds_text(bounds_of(scene))) +
-         line("not supported", clauses_text(scene.unsupported)) +
+         line("animations", counted(scene.animations, animation)) + line("variants", variants_text(scene)) +
+         line("bounds", bounds_text(bounds_of(scene))) + line("not supported", clauses_text(scene.unsupported)) +
          line("approximated", clauses_text(scene::approximated(scene)));
 }
 
@@ -162,6 +166,7 @@ Json scene_json(const scene::Scene& scene) {
             {"lights", list_of(scene.lights, light)},
             {"cameras", list_of(scene.cameras, camera)},
             {"animations", list_of(scene.animations, animation)},
+            {"variants", scene.variants},
             {"bounds", bounds_json(bounds_of(scene))},
             {"unsupported", scene.unsupported},
             {"approximated", scene::approximated(scene)}}}};

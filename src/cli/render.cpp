@@ -188,7 +188,10 @@ void drop_unused_layers(RenderCommand& command) {
 }
 
 scene::LoadOptions load_options(const RenderCommand& command) {
-  return {.scene = command.options.scene, .reach = reach_of(command.allow_outside), .lenient = command.lenient};
+  return {.scene = command.options.scene,
+          .reach = reach_of(command.allow_outside),
+          .variant = command.options.variant,
+          .lenient = command.lenient};
 }
 
 void run_render(RenderCommand& command, const std::vector<std::string>& line) {

@@ -189,6 +189,10 @@ OptionGroup scene_options(RenderCommand& command) {
   return {"Scene and view",
           {changes_pixels(with_default("the file's default",
                                        text("--scene", "INDEX|NAME", "Which of the file's scenes.", options.scene))),
+           changes_pixels(
+               with_default("the usual materials",
+                            text("--variant", "INDEX|NAME",
+                                 "Which of the file's sets of materials (KHR_materials_variants).", options.variant))),
            changes_pixels(with_default("the first, else one that sees the whole scene",
                                        text("--camera", "INDEX|NAME", "Which of the file's cameras.", options.camera))),
            vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),

@@ -89,6 +89,7 @@ struct RenderOptions {
   std::optional<glm::vec3> background = glm::vec3(0);  ///< none: transparent
   std::string scene, camera, animation;                ///< index or name (or all); empty: the default
   ViewOption view;
+  std::string variant;              ///< of the materials, by index or name; empty: the usual ones
   std::vector<std::string> hidden;  ///< instances that are left out, by index or name (scene/hide.h)
   std::vector<LightOption> lights;  ///< not empty: they replace the file's
   PerKind<bool> rays{[](uint32_t kind) { return ray_kinds[kind].adds_light; }};

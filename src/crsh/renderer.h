@@ -27,6 +27,7 @@ using ScenePtr = std::shared_ptr<const scene::Scene>;
 /// What of a file becomes the scene.
 struct ReadOptions {
   std::string scene;                ///< which of the file's, by index or name; empty: its default
+  std::string variant;              ///< of its materials, by index or name; empty: the usual ones
   std::vector<std::string> hidden;  ///< objects that are left out, by index or name
   bool allow_outside = false;       ///< files that the scene names may lie outside its own folder
   bool lenient = false;             ///< draw it without the extensions that it requires and that are not done here
@@ -45,7 +46,7 @@ class Renderer {
   using Progress = std::function<void(double)>;
 
   /// Uploads the scene. Throws UserError: unknown camera, too little memory (naming the minimum), ... Of the options,
-  /// `scene` and `hidden` are read_scene's business.
+  /// `scene`, `variant` and `hidden` are read_scene's business.
   Renderer(DevicePtr device, ScenePtr scene, const RenderOptions& options);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

@@ -18,6 +18,7 @@ namespace {
 scene::LoadOptions load_options(const ReadOptions& options) {
   return {.scene = options.scene,
           .reach = options.allow_outside ? scene::Reach::anywhere : scene::Reach::folder,
+          .variant = options.variant,
           .lenient = options.lenient};
 }
 

@@ -177,6 +177,16 @@ void see_scene(CameraView& view, const ViewOption& option, const scene::Bounds& 
   view.near_plane = near_share * 2 * extent_of(bounds).radius;
 }
 
+/// The camera's own where something may lie beyond: else the depths of what is seen need not depend on it.
+float far_plane_of(const scene::Scene& scene, const RenderOptions& options, const CameraView& view,
+                   const Extent& extent) {
+  const float behind = std::max(view.near_plane, glm::distance(view.eye, extent.centre) + 2 * extent.radius);
+  const std::optional<uint32_t> index = chosen_camera(scene, options);
+  const std::optional<float> own = index ? scene.cameras[*index].far_plane : std::nullopt;
+  if (own && (*own < behind || !scene.animations.empty())) return *own;
+  return view.orthographic ? behind * 1.01f + 1e-6f : 0;
+}
+
 float aspect_of(ImageSize size) { return float(size.width) / float(size.height); }
 
 }  // namespace
@@ -207,8 +217,7 @@ CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const
   if (options.view.orthographic_height)
     view.orthographic = true, view.half_height = *options.view.orthographic_height / 2;
   view.half_width = view.half_height * aspect;
-  view.far_plane =
-      std::max(view.near_plane, glm::distance(view.eye, extent.centre) + 2 * extent.radius) * 1.01f + 1e-6f;
+  view.far_plane = far_plane_of(scene, options, view, extent);
   return view;
 }
 

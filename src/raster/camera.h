@@ -20,7 +20,7 @@ struct CameraView {
   bool orthographic = false;
   float half_width = 1, half_height = 1;  ///< of the image: at distance 1 (perspective), or in metres (orthographic)
   float near_plane = 0.01f;
-  float far_plane = 1;  ///< orthographic only: behind all of the scene
+  float far_plane = 1;  ///< nothing farther is seen; orthographic: else behind all of the scene; perspective: else 0
 
   /// OpenEXR's worldToCamera: left-handed, x to the right, y up, z the way the camera looks. A column-major matrix for
   /// column vectors has the same sixteen floats in memory as Imath's for row vectors.

@@ -97,8 +97,10 @@ Pose Scene::pose(double seconds, const std::vector<uint32_t>& playing) const {
   out.changes = std::move(now.changes);
   out.joints = joint_matrices(skins, world);
   out.weights = morph_weights(*this, now.nodes);
-  for (size_t i = 0; i < instances.size(); ++i)
+  for (size_t i = 0; i < instances.size(); ++i) {
+    if (instances[i].local) out.instances[i] = world[instances[i].node] * glm::dmat4(*instances[i].local);
     if (instances[i].skin) out.instances[i] = glm::mat4(1);
+  }
   hide_invisible(*this, now.nodes, world, out);
   return out;
 }

@@ -122,7 +122,8 @@ struct Node {
 
 struct Instance {
   uint32_t mesh = 0, node = 0;
-  std::optional<uint32_t> skin = {};  ///< its joints then place the mesh, and not its node
+  std::optional<uint32_t> skin = {};    ///< its joints then place the mesh, and not its node
+  std::optional<glm::mat4> local = {};  ///< where it stands, seen from the node (EXT_mesh_gpu_instancing)
 };
 
 enum class LightType : uint32_t { point = 0, spot = 1, directional = 2 };
@@ -141,10 +142,11 @@ struct Light {
 struct Camera {
   std::string name;
   bool orthographic = false;
-  float yfov = 0.7853981634f;   ///< radians, vertical
-  float xmag = 1, ymag = 1;     ///< orthographic half extents, metres
-  std::optional<float> aspect;  ///< width / height
-  float near_plane = 0.01f;     ///< metres
+  float yfov = 0.7853981634f;      ///< radians, vertical
+  float xmag = 1, ymag = 1;        ///< orthographic half extents, metres
+  std::optional<float> aspect;     ///< width / height
+  float near_plane = 0.01f;        ///< metres
+  std::optional<float> far_plane;  ///< metres; nothing farther away is seen
   uint32_t node = 0;
 };
 
@@ -217,6 +219,7 @@ struct Scene {
   std::vector<Animation> animations;
   std::vector<std::string> unsupported;  ///< what the file has that crsh does not do, a short clause each
   std::vector<std::string> scene_names;  ///< of all glTF scenes in the file
+  std::vector<std::string> variants;     ///< names of all sets of materials in the file (KHR_materials_variants)
 
   /// How many triangles are drawn, those of a mesh once for each instance.
   [[nodiscard]] uint64_t triangle_count() const;

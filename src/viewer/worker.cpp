@@ -191,8 +191,10 @@ void Worker::load() {
   say("reading " + wish_.path.filename().string(), 0);
   auto loaded = std::make_shared<LoadedScene>();
   loaded->number = wish_.load;
-  loaded->scene = cli::load_scene(
-      wish_.path, {.scene = wish_.which, .reach = cli::reach_of(wish_.allow_outside), .lenient = wish_.lenient});
+  loaded->scene = cli::load_scene(wish_.path, {.scene = wish_.which,
+                                               .reach = cli::reach_of(wish_.allow_outside),
+                                               .variant = wish_.options.variant,
+                                               .lenient = wish_.lenient});
   renderer_.reset();
   loaded_ = loaded;
   {

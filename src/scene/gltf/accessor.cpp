@@ -94,6 +94,7 @@ ElementType element_type(const Document& document, int64_t index) {
 
 Accessor::Accessor(Document& document, int64_t index) : where_(place("accessors", index)) {
   const tinygltf::Accessor& from = scene::at(document.model().accessors, index, "accessors");
+  document.check(where_);
   const Decoded* decoded = document.decoded(index);
   const ElementType type = decoded ? decoded->type : element_type(document, index);
   count_ = decoded ? decoded->count : from.count;

@@ -119,7 +119,7 @@ void DeformReader::add(const DeformLayout& layout, const std::vector<uint32_t>& 
   const auto reading = [&](const char* what, const auto& read) {
     try {
       read();
-    } catch (const TooLarge&) {
+    } catch (const LimitFault&) {
       throw;
     } catch (const Fault& fault) {
       notes_.add(std::string(what) + " of " + where + " (" + fault.what() + ")");

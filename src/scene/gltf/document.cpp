@@ -40,6 +40,7 @@ Document::Document(const std::filesystem::path& path, Reach reach, uint64_t max_
   sources_ = std::move(prepared.buffers);
   images_ = std::move(prepared.images);
   compressed_ = std::move(prepared.compressed);
+  broken_ = std::move(prepared.broken);
   if (container.binary) binary_.emplace(container.binary->begin(), container.binary->end());
 }
 
@@ -103,8 +104,13 @@ const Decoded* Document::decoded(int64_t accessor) const {
 
 const ImageSource& Document::image(int64_t index) const { return at(images_, index, "images"); }
 
+void Document::check(const std::string& where) const {
+  const auto found = broken_.find(where);
+  if (found != broken_.end()) throw Fault(found->second);
+}
+
 void Document::spend(uint64_t elements) {
-  if (elements > work_left_) throw TooLarge();
+  if (elements > work_left_) throw LimitFault();
   work_left_ -= elements;
 }
 

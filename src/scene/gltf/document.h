@@ -38,6 +38,8 @@ class Document {
   /// The bytes of a bufferView, decompressed where they are compressed.
   [[nodiscard]] std::span<const uint8_t> view(int64_t index);
   [[nodiscard]] const ImageSource& image(int64_t index) const;
+  /// A Fault where what stands at `where` was found broken before.
+  void check(const std::string& where) const;
   /// Elements to read in place of the accessor's own.
   void keep(int64_t accessor, Decoded elements) { decoded_[accessor] = std::move(elements); }
   /// Those that were kept; null: none.
@@ -62,6 +64,7 @@ class Document {
   std::vector<BufferSource> sources_;
   std::vector<ImageSource> images_;
   std::map<int64_t, CompressedView> compressed_;
+  BrokenParts broken_;
   tinygltf::Model model_;
   std::unordered_map<int64_t, Bytes> buffers_, decompressed_;  // spans go into them: nothing is ever taken out
   std::unordered_map<int64_t, Decoded> decoded_;

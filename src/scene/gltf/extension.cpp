@@ -15,8 +15,16 @@ std::optional<float> Extension::number(const std::string& key) const {
 
 int Extension::index(const std::string& key) const { return has(key) ? value().Get(key).GetNumberAsInt() : -1; }
 
+int Extension::index(const std::string& key, size_t i) const {
+  return value().Get(key).Get(static_cast<int>(i)).GetNumberAsInt();
+}
+
 bool Extension::flag(const std::string& key, bool otherwise) const {
   return has(key) ? value().Get(key).Get<bool>() : otherwise;
+}
+
+size_t Extension::count(const std::string& key) const {
+  return has(key) && value().Get(key).IsArray() ? value().Get(key).ArrayLen() : 0;
 }
 
 std::string Extension::text(const std::string& key) const {

@@ -32,6 +32,11 @@ class Extension {
     for (size_t i = 0; i < N; ++i) out[i] = finite(list.Get(static_cast<int>(i)).GetNumberAsDouble(), name_of(key));
     return out;
   }
+  [[nodiscard]] bool flag(const std::string& key, bool otherwise) const;
+  /// How many elements a list has; 0 where it is missing.
+  [[nodiscard]] size_t count(const std::string& key) const;
+  /// Element i of a list of places in another.
+  [[nodiscard]] int index(const std::string& key, size_t i) const;
   /// A place in a list, or -1.
   [[nodiscard]] int index(const std::string& key) const;
   [[nodiscard]] bool flag(const std::string& key, bool otherwise) const;

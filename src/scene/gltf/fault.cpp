@@ -33,4 +33,11 @@ void Notes::add(std::string_view clause) {
   list_.push_back(list_.size() < max_notes ? line : "more of that kind");
 }
 
+void Notes::leave_out(const std::string& where, const Fault& fault) {
+  if (!first_fault_) first_fault_ = fault;
+  std::string_view reason = fault.what();
+  if (reason.starts_with(where)) reason.remove_prefix(std::min(where.size() + 1, reason.size()));
+  add(where + " (" + std::string(reason) + ")");
+}
+
 }  // namespace crsh::scene

@@ -1,6 +1,7 @@
 #pragma once
 // What the loader throws and notes while it reads a file.
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,17 +20,17 @@ class Fault : public std::runtime_error {
   std::string mend_;
 };
 
-/// The file asks for more work than any file needs.
-class TooLarge : public Fault {
- public:
-  TooLarge() : Fault("is too large to be drawn", "simplify the scene") {}
-};
-
 /// A file names another that lies outside its own folder.
 class OutsideFault : public Fault {
  public:
   explicit OutsideFault(const std::string& name = {})
       : Fault(name + "lies outside the scene's folder", "put it beside the scene, or allow it explicitly") {}
+};
+
+/// Too much to be drawn, whatever part of the file asks for it.
+class LimitFault : public Fault {
+ public:
+  LimitFault() : Fault("is too large to be drawn", "simplify the scene") {}
 };
 
 /// A file requires extensions that crsh does not do.
@@ -51,8 +52,27 @@ class Notes {
   explicit Notes(std::vector<std::string>& list) : list_(list) {}
   void add(std::string_view clause);
 
+  /// Runs `read`. Where it ends with a Fault, what stands at `where` in the file is left out, with a note; limits and
+  /// files out of reach are no single part's fault, and go on.
+  template <class Read>
+  void attempt(const std::string& where, Read read) {
+    try {
+      read();
+    } catch (const LimitFault&) {
+      throw;
+    } catch (const OutsideFault&) {
+      throw;
+    } catch (const Fault& fault) {
+      leave_out(where, fault);
+    }
+  }
+  void leave_out(const std::string& where, const Fault& fault);
+  /// The first of those: why there is nothing to draw, where there is nothing.
+  [[nodiscard]] const std::optional<Fault>& first_fault() const { return first_fault_; }
+
  private:
   std::vector<std::string>& list_;
+  std::optional<Fault> first_fault_;
 };
 
 }  // namespace crsh::scene

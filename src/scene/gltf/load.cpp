@@ -13,6 +13,7 @@
 #include "scene/gltf/material.h"
 #include "scene/gltf/nodes.h"
 #include "scene/gltf/texcoords.h"
+#include "scene/gltf/variants.h"
 #include "scene/properties.h"
 
 namespace crsh::scene {
@@ -71,9 +72,12 @@ Scene read(const std::filesystem::path& path, const LoadOptions& options) {
   note_extensions(document.extensions(), notes);
   scene.texcoords = texcoords_used(document);
   const NodeMap nodes = read_nodes(document, options.scene, scene);
-  read_instances(document, nodes, scene, notes);
+  scene.variants = variant_names(document);
+  read_instances(document, nodes, scene, notes, chosen_variant(scene.variants, options.variant));
+  if (scene.instances.empty() && notes.first_fault()) throw Fault(*notes.first_fault());
   read_materials(document, materials_used(scene), scene, notes);
-  const FilePlaces cameras = read_cameras(document, nodes, scene), lights = read_lights(document, nodes, scene);
+  const FilePlaces cameras = read_cameras(document, nodes, scene, notes);
+  const FilePlaces lights = read_lights(document, nodes, scene, notes);
   read_animations(document, {nodes, cameras, lights}, scene, notes);
   drop_hidden(scene);
   check_transforms(scene);

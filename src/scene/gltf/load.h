@@ -26,6 +26,7 @@ class ExtensionError : public UserError {
 struct LoadOptions {
   std::string scene;            ///< index or name of the glTF scene; empty: the file's default scene, else the first
   Reach reach = Reach::folder;  ///< of the files that it names
+  std::string variant;          ///< of its materials, by index or name; empty: those that primitives usually wear
   bool lenient = false;         ///< draw it without the extensions that it requires and crsh does not do
 };
 

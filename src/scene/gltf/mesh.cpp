@@ -12,6 +12,7 @@
 #include "scene/gltf/checked.h"
 #include "scene/gltf/deformers.h"
 #include "scene/gltf/draco.h"
+#include "scene/gltf/variants.h"
 
 namespace crsh::scene {
 
@@ -61,9 +62,18 @@ class Vertices {
   /// For each vertex of the file its place in the mesh, or unused.
   [[nodiscard]] const std::vector<uint32_t>& kept() const { return kept_; }
 
-  /// The mesh's vertex for vertex i of the file.
-  uint32_t vertex(Mesh& mesh, uint64_t i, const std::string& where) {
-    if (i >= count()) throw Fault(where + " has an index past the end of its vertices");
+  /// Why nothing can be drawn with vertex i of the file; null: it can.
+  [[nodiscard]] const char* fault_of(uint64_t i) const {
+    if (i >= count()) return "has an index past the end of its vertices";
+    if (kept_[i] != unused) return nullptr;
+    const glm::vec3 position(sources_[0]->at(i));
+    const bool finite =
+        std::abs(position.x) <= farthest && std::abs(position.y) <= farthest && std::abs(position.z) <= farthest;
+    return finite ? nullptr : "has a position that is not finite";
+  }
+
+  /// The mesh's vertex for vertex i of the file, which has no fault.
+  uint32_t vertex(Mesh& mesh, uint64_t i) {
     if (kept_[i] == unused) kept_[i] = append(mesh, i);
     return kept_[i];
   }
@@ -82,11 +92,7 @@ class Vertices {
   }
 
   uint32_t append(Mesh& mesh, uint64_t i) const {
-    const glm::vec3 place(sources_[position]->at(i));
-    for (int c = 0; c < 3; ++c)
-      if (!(std::abs(place[c]) <= farthest))
-        throw Fault(sources_[position]->where() + " has a position that is not finite");
-    mesh.positions.push_back(place);
+    mesh.positions.push_back(glm::vec3(sources_[position]->at(i)));
     mesh.normals.push_back(unit_or_zero(glm::vec3(optional(normal, i))));
     mesh.colours.push_back(colour_at(i));
     append_sparse(mesh.tangents, sources_[tangent].has_value(), mesh, [&] { return tangent_at(i); });
@@ -131,13 +137,35 @@ std::array<uint64_t, 3> corners(int mode, uint64_t t) {
   return {3 * t, 3 * t + 1, 3 * t + 2};
 }
 
+/// Corners of a primitive, one behind the other.
+struct Run {
+  uint64_t first = 0, count = 0;
+};
+
+/// What lies between primitive restart values: the largest that the indices' type holds, where no vertex has it. glTF
+/// forbids them; other programs draw such files as graphics devices do.
+std::vector<Run> runs_of(const Accessor& indices, uint64_t vertices) {
+  const uint64_t restart = indices.component() == Component::u8    ? 0xFFu
+                           : indices.component() == Component::u16 ? 0xFFFFu
+                                                                   : 0xFFFFFFFFu;
+  if (vertices > restart) return {{0, indices.count()}};
+  std::vector<Run> out;
+  uint64_t first = 0;
+  for (uint64_t i = 0; i <= indices.count(); ++i) {
+    if (i < indices.count() && indices.integer_at(i) != restart) continue;
+    if (i - first >= 3) out.push_back({first, i - first});
+    first = i + 1;
+  }
+  return out;
+}
+
 class MeshReader {
  public:
-  MeshReader(Document& document, Notes& notes, uint32_t default_material,
-             const std::array<uint32_t, uv_sets>& texcoords)
-      : document_(document), notes_(notes), default_material_(default_material), texcoords_(texcoords) {}
+  MeshReader(Document& document, Notes& notes, uint32_t default_material, const MeshOptions& options)
+      : document_(document), notes_(notes), default_material_(default_material), options_(options) {}
 
   void add(const tinygltf::Primitive& primitive, const std::string& where) {
+    document_.check(where);
     note_what_is_left_out(primitive);
     if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) throw Fault(where + ".mode is none of glTF's");
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) return notes_.add("points and lines");
@@ -147,8 +175,9 @@ class MeshReader {
     const Block block{layout, deform_layout(primitive)};
     auto found = blocks_.find(block);
     if (found == blocks_.end()) found = blocks_.try_emplace(block, document_, layout).first;
+    const uint32_t material = material_of(primitive, where);
     append_triangles(primitive, where, found->second);
-    mesh.materials.resize(mesh.triangles.size(), material_of(primitive, where));
+    mesh.materials.resize(mesh.triangles.size(), material);
   }
 
   /// Reads what deforms the mesh, once all its vertices are known. `where`: of its primitives.
@@ -166,7 +195,7 @@ class MeshReader {
   [[nodiscard]] Layout layout_of(const tinygltf::Primitive& primitive) const {
     Layout layout;
     for (size_t a = 0; a < layout.size(); ++a)
-      if (const auto found = primitive.attributes.find(name_of(a, texcoords_)); found != primitive.attributes.end())
+      if (const auto found = primitive.attributes.find(name_of(a, options_.texcoords)); found != primitive.attributes.end())
         layout[a] = found->second;
     return layout;
   }
@@ -176,10 +205,10 @@ class MeshReader {
   }
 
   uint32_t material_of(const tinygltf::Primitive& primitive, const std::string& where) const {
-    if (primitive.material < 0) return default_material_;
-    if (static_cast<uint32_t>(primitive.material) >= default_material_)
-      throw Fault(where + ".material is not in the file");
-    return static_cast<uint32_t>(primitive.material);
+    const int material = material_in(options_.variant, primitive, where);
+    if (material < 0) return default_material_;
+    if (static_cast<uint32_t>(material) >= default_material_) throw Fault(where + ".material is not in the file");
+    return static_cast<uint32_t>(material);
   }
 
   void append_triangles(const tinygltf::Primitive& primitive, const std::string& where, Vertices& vertices) {
@@ -188,26 +217,44 @@ class MeshReader {
       indices.emplace(document_, primitive.indices);
       indices->need_indices();
     }
-    const int mode = primitive.mode;
-    const uint64_t corner_count = indices ? indices->count() : vertices.count();
+    const uint64_t corners = indices ? indices->count() : vertices.count();
+    const std::vector<Run> runs = indices ? runs_of(*indices, vertices.count()) : std::vector<Run>{{0, corners}};
+    for (const Run& run : runs) append_run(primitive.mode, run, indices, vertices);
+    if (dropped_ > 0)
+      notes_.leave_out(std::to_string(dropped_) + " triangles of " + where, Fault(where + " " + fault_));
+    dropped_ = 0;
+  }
+
+  void append_run(int mode, const Run& run, const std::optional<Accessor>& indices, Vertices& vertices) {
     const uint64_t many =
-        mode == TINYGLTF_MODE_TRIANGLES ? corner_count / 3 : corner_count - std::min<uint64_t>(corner_count, 2);
+        mode == TINYGLTF_MODE_TRIANGLES ? run.count / 3 : run.count - std::min<uint64_t>(run.count, 2);
     document_.spend(many * triangle_cost);
     for (uint64_t t = 0; t < many; ++t) {
-      glm::uvec3 triangle;
-      const std::array<uint64_t, 3> places = corners(mode, t);
-      for (size_t c = 0; c < 3; ++c)
-        triangle[static_cast<int>(c)] =
-            vertices.vertex(mesh, indices ? indices->integer_at(places[c]) : places[c], where);
-      mesh.triangles.push_back(triangle);
+      std::array<uint64_t, 3> places = corners(mode, t);
+      for (uint64_t& place : places) place = indices ? indices->integer_at(run.first + place) : place;
+      append_triangle(places, vertices);
     }
+  }
+
+  /// Leaves it out where one of its corners has a fault.
+  void append_triangle(const std::array<uint64_t, 3>& places, Vertices& vertices) {
+    for (const uint64_t place : places)
+      if (const char* fault = vertices.fault_of(place)) {
+        fault_ = dropped_++ == 0 ? fault : fault_;
+        return;
+      }
+    glm::uvec3 triangle;
+    for (int c = 0; c < 3; ++c) triangle[c] = vertices.vertex(mesh, places[static_cast<size_t>(c)]);
+    mesh.triangles.push_back(triangle);
   }
 
   Document& document_;
   Notes& notes_;
   uint32_t default_material_;
-  std::array<uint32_t, uv_sets> texcoords_;
+  MeshOptions options_;
   std::map<Block, Vertices> blocks_;
+  uint64_t dropped_ = 0;         // triangles of the primitive at hand
+  const char* fault_ = nullptr;  // of the first of them
 };
 
 /// Attributes that the last primitives did not have.
@@ -221,14 +268,16 @@ void fill_up(Mesh& mesh) {
 }  // namespace
 
 Mesh read_mesh(Document& document, int64_t index, uint32_t default_material, Notes& notes,
-               const std::array<uint32_t, uv_sets>& texcoords) {
+               const MeshOptions& options) {
   const tinygltf::Mesh& from = at(document.model().meshes, index, "meshes");
   const std::string where = place("meshes", index) + ".primitives";
-  MeshReader reader(document, notes, default_material, texcoords);
+  MeshReader reader(document, notes, default_material, options);
   reader.mesh.name = from.name;
   if (from.primitives.empty()) throw Fault(where + " is missing");
-  for (size_t i = 0; i < from.primitives.size(); ++i)
-    reader.add(from.primitives[i], place(where, static_cast<int64_t>(i)));
+  for (size_t i = 0; i < from.primitives.size(); ++i) {
+    const std::string here = place(where, static_cast<int64_t>(i));
+    notes.attempt(here, [&] { reader.add(from.primitives[i], here); });
+  }
   fill_up(reader.mesh);
   reader.add_deformers(from.weights, where);
   fill_bounds(reader.mesh);

@@ -72,38 +72,51 @@ void take_views(json& root, Prepared& out) {
 }
 
 /// tinygltf refuses the file for one of an unknown type, whether it is used or not.
-void check_accessors(json& root) {
+void check_accessors(json& root, BrokenParts& broken) {
   constexpr std::array<std::string_view, 7> types = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
   constexpr uint64_t first_code = 5120, last_code = 5130;
   int64_t i = 0;
-  for (const json& accessor : list_of(root, "accessors")) {
+  for (json& accessor : list_of(root, "accessors")) {
     const std::string where = place("accessors", i++);
     const auto& type = accessor["type"].get_ref<const std::string&>();
-    if (std::find(types.begin(), types.end(), type) == types.end())
-      throw Fault(where + ".type " + in_quotes(type, 20) + " is not known here");
     const auto code = accessor["componentType"].get<uint64_t>();
-    if (code < first_code || code > last_code)
-      throw Fault(where + ".componentType " + std::to_string(code) + " is none of glTF's");
+    if (std::find(types.begin(), types.end(), type) == types.end())
+      broken.emplace(where, where + ".type " + in_quotes(type, 20) + " is not known here");
+    else if (code < first_code || code > last_code)
+      broken.emplace(where, where + ".componentType " + std::to_string(code) + " is none of glTF's");
+    else continue;
+    accessor = json::parse(accessor_stand_in);
   }
 }
 
-void check_cameras(json& root) {
+void check_cameras(json& root, BrokenParts& broken) {
   int64_t i = 0;
-  for (const json& camera : list_of(root, "cameras")) {
+  for (json& camera : list_of(root, "cameras")) {
+    const std::string where = place("cameras", i++);
     const auto& type = camera["type"].get_ref<const std::string&>();
-    if ((type != "perspective" && type != "orthographic") || !camera.contains(type))
-      throw Fault(place("cameras", i) + ".type is neither perspective nor orthographic");
-    ++i;
+    if ((type == "perspective" || type == "orthographic") && camera.contains(type)) continue;
+    broken.emplace(where, where + ".type is neither perspective nor orthographic");
+    camera = json::parse(camera_stand_in);
   }
 }
 
-/// The accessors that primitives use as indices.
-std::set<uint64_t> index_accessors(json& root) {
+/// The accessors that primitives use as indices. Primitives whose indices are not in the file are broken.
+std::set<uint64_t> index_accessors(json& root, BrokenParts& broken) {
   std::set<uint64_t> out;
-  for (const json& mesh : list_of(root, "meshes"))
-    if (const auto primitives = mesh.find("primitives"); primitives != mesh.end())
-      for (const json& primitive : *primitives)
-        if (const auto indices = whole(primitive, "indices")) out.insert(*indices);
+  const uint64_t accessors = list_of(root, "accessors").size();
+  int64_t m = 0;
+  for (json& mesh : list_of(root, "meshes")) {
+    const std::string where = place("meshes", m++) + ".primitives";
+    int64_t p = 0;
+    for (json& primitive : list_of(mesh, "primitives")) {
+      const std::string at = place(where, p++);
+      const auto indices = whole(primitive, "indices");
+      if (indices && *indices < accessors) out.insert(*indices);
+      if (!indices || *indices < accessors) continue;
+      broken.emplace(at, place("accessors", static_cast<int64_t>(*indices)) + " is referred to but is not in the file");
+      primitive.erase("indices");
+    }
+  }
   return out;
 }
 
@@ -111,16 +124,15 @@ std::set<uint64_t> index_accessors(json& root) {
 void settle_indices(json& root, Prepared& out) {
   json &accessors = list_of(root, "accessors"), &views = list_of(root, "bufferViews");
   const uint64_t own_views = views.size();
-  for (const uint64_t index : index_accessors(root)) {
-    if (index >= accessors.size())
-      throw Fault(place("accessors", static_cast<int64_t>(index)) + " is referred to but is not in the file");
+  for (const uint64_t index : index_accessors(root, out.broken)) {
     json& accessor = accessors[index];
-    if (const auto view = whole(accessor, "bufferView"); !view) {
-      accessor["bufferView"] = own_views;
-      out.bare.push_back(index);
-    } else if (*view >= own_views) {
-      throw Fault(place("bufferViews", static_cast<int64_t>(*view)) + " is referred to but is not in the file");
-    }
+    const auto view = whole(accessor, "bufferView");
+    if (view && *view < own_views) continue;
+    accessor["bufferView"] = own_views;
+    out.bare.push_back(index);
+    if (view)
+      out.broken.emplace(place("accessors", static_cast<int64_t>(index)),
+                         place("bufferViews", static_cast<int64_t>(*view)) + " is referred to but is not in the file");
   }
   if (!out.bare.empty()) views.push_back({{"buffer", 0}, {"byteLength", 0}});
 }
@@ -129,11 +141,11 @@ void settle_indices(json& root, Prepared& out) {
 
 Prepared prepare(json root) {
   Prepared out;
-  bring_into_shape(root, root_shape);
+  bring_into_shape(root, root_shape, out.broken);
   take_sources(root, out);
   take_views(root, out);
-  check_accessors(root);
-  check_cameras(root);
+  check_accessors(root, out.broken);
+  check_cameras(root, out.broken);
   settle_indices(root, out);
   out.text = root.dump();
   return out;

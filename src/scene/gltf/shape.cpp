@@ -17,6 +17,7 @@ constexpr Field indices(std::string_view name) { return {name, Kind::indices}; }
 constexpr Field texts(std::string_view name) { return {name, Kind::texts}; }
 constexpr Field object(std::string_view name, const Shape& shape) { return {name, Kind::object, 0, &shape}; }
 constexpr Field list(std::string_view name, const Shape& shape) { return {name, Kind::list, 0, &shape}; }
+constexpr Field may_break(Field field, std::string_view json) { return field.stand_in = json, field; }
 constexpr Field needed(Field field) { return field.needed = true, field; }
 constexpr Field filled(Field field, std::string_view json) { return field.fill = json, field; }
 
@@ -60,7 +61,12 @@ constexpr Field target_fields[] = {index("POSITION"), index("NORMAL"), index("TA
 constexpr Shape target{target_fields, 4 * sizeof(std::map<std::string, int>)};
 constexpr Field draco_fields[] = {needed(index("bufferView")), needed(object("attributes", attributes))};
 constexpr Shape draco{draco_fields};
-constexpr Field primitive_extension_fields[] = {object("KHR_draco_mesh_compression", draco)};
+constexpr Field mapping_fields[] = {needed(index("material")), needed(indices("variants"))};
+constexpr Shape mapping{mapping_fields, sizeof(tinygltf::Value)};
+constexpr Field mappings_fields[] = {list("mappings", mapping)};
+constexpr Shape mappings{mappings_fields};
+constexpr Field primitive_extension_fields[] = {object("KHR_draco_mesh_compression", draco),
+                                                object("KHR_materials_variants", mappings)};
 constexpr Shape primitive_extensions{primitive_extension_fields};
 constexpr Field primitive_fields[] = {needed(object("attributes", attributes)),
                                       index("indices"),
@@ -73,9 +79,14 @@ constexpr Field mesh_fields[] = {text("name"), list("primitives", primitive), nu
 constexpr Shape mesh{mesh_fields, sizeof(tinygltf::Mesh)};
 constexpr Field node_light_fields[] = {needed(index("light"))};
 constexpr Shape node_light{node_light_fields};
+constexpr Field instancing_attribute_fields[] = {index("TRANSLATION"), index("ROTATION"), index("SCALE")};
+constexpr Shape instancing_attributes{instancing_attribute_fields};
+constexpr Field instancing_fields[] = {object("attributes", instancing_attributes)};
+constexpr Shape instancing{instancing_fields};
 constexpr Field visibility_fields[] = {filled(flag("visible"), "true")};
 constexpr Shape visibility{visibility_fields};
-constexpr Field node_extension_fields[] = {object("KHR_lights_punctual", node_light),
+constexpr Field node_extension_fields[] = {object("EXT_mesh_gpu_instancing", instancing),
+                                           object("KHR_lights_punctual", node_light),
                                            object("KHR_node_visibility", visibility)};
 constexpr Shape node_extensions{node_extension_fields};
 constexpr Field node_fields[] = {text("name"),
@@ -196,7 +207,8 @@ constexpr Field image_fields[] = {index("bufferView"), text("uri")};
 constexpr Shape image{image_fields, sizeof(tinygltf::Image)};
 
 // Cameras and lights.
-constexpr Field perspective_fields[] = {needed(number("yfov")), needed(number("znear")), number("aspectRatio")};
+constexpr Field perspective_fields[] = {needed(number("yfov")), needed(number("znear")), filled(number("zfar"), "0"),
+                                        number("aspectRatio")};
 constexpr Shape perspective{perspective_fields};
 constexpr Field orthographic_fields[] = {needed(number("xmag")), needed(number("ymag")), filled(number("znear"), "0"),
                                          filled(number("zfar"), "0")};
@@ -210,9 +222,14 @@ constexpr Field light_fields[] = {text("name"),        filled(text("type"), "\"\
                                   numbers("color", 3), number("intensity"),
                                   number("range"),     filled(object("spot", spot), "{}")};
 constexpr Shape light{light_fields, sizeof(tinygltf::Light) + 6 * sizeof(tinygltf::Value)};
-constexpr Field lights_fields[] = {list("lights", light)};
+constexpr Field lights_fields[] = {may_break(list("lights", light), R"({"type":"","spot":{}})")};
 constexpr Shape lights{lights_fields};
-constexpr Field root_extension_fields[] = {object("KHR_lights_punctual", lights)};
+constexpr Field variant_fields[] = {filled(text("name"), "\"\"")};
+constexpr Shape variant{variant_fields, sizeof(tinygltf::Value)};
+constexpr Field variants_fields[] = {list("variants", variant)};
+constexpr Shape variants{variants_fields};
+constexpr Field root_extension_fields[] = {object("KHR_lights_punctual", lights),
+                                           object("KHR_materials_variants", variants)};
 constexpr Shape root_extensions{root_extension_fields};
 
 // Animations.
@@ -234,7 +251,7 @@ constexpr Field root_fields[] = {object("asset", asset),
                                  texts("extensionsUsed"),
                                  list("buffers", buffer),
                                  list("bufferViews", view),
-                                 list("accessors", accessor),
+                                 may_break(list("accessors", accessor), accessor_stand_in),
                                  list("meshes", mesh),
                                  list("nodes", node),
                                  list("scenes", scene),
@@ -244,7 +261,7 @@ constexpr Field root_fields[] = {object("asset", asset),
                                  list("textures", texture),
                                  list("samplers", sampler),
                                  list("images", image),
-                                 list("cameras", camera),
+                                 may_break(list("cameras", camera), camera_stand_in),
                                  list("animations", animation),
                                  object("extensions", root_extensions)};
 

@@ -28,14 +28,19 @@ struct Field {
   Kind kind;
   size_t count = 0;
   const Shape* shape = nullptr;
-  bool needed = false;         ///< a Fault where it is missing
-  std::string_view fill = {};  ///< the JSON put in where it is missing, because tinygltf would refuse the file
+  bool needed = false;             ///< a Fault where it is missing
+  std::string_view stand_in = {};  ///< of a list: the JSON put in place of an element that is broken; empty: a Fault
+  std::string_view fill = {};      ///< the JSON put in where it is missing, because tinygltf would refuse the file
 };
 
 struct Shape {
   std::span<const Field> fields;
   size_t bytes = 0;  ///< what tinygltf makes of one in a list takes about so much memory
 };
+
+/// What stands in for a broken accessor and a broken camera: nothing reads it.
+inline constexpr std::string_view accessor_stand_in = R"({"componentType":5126,"count":0,"type":"SCALAR"})";
+inline constexpr std::string_view camera_stand_in = R"({"type":"perspective","perspective":{"yfov":1.0,"znear":1.0}})";
 
 /// The whole file's.
 extern const Shape root_shape;

@@ -16,6 +16,7 @@ namespace {
 using nlohmann::json;
 constexpr double largest_index = 2147483647.0;      // tinygltf keeps them in an int
 constexpr double largest_length = 1099511627776.0;  // 2^40: products with a stride still fit 64 bits
+constexpr size_t max_broken = 1000;                 // what a file may have of them and still be drawn
 constexpr size_t max_bytes = size_t{2} << 30u;      // of tinygltf's lists
 
 /// Where in the file we are; written out for messages alone.
@@ -34,6 +35,8 @@ struct Where {
 
 class Check {
  public:
+  explicit Check(std::map<std::string, std::string>& broken) : broken_(broken) {}
+
   void object(json& value, const Shape& shape, const Where& where) {
     if (!value.is_object()) throw Fault(where.written() + " is not an object");
     for (auto member = value.begin(); member != value.end();) {
@@ -74,7 +77,7 @@ class Check {
       case Kind::indices: return indices(value, where);
       case Kind::texts: return texts(value, where);
       case Kind::object: return object(value, *field.shape, where);
-      case Kind::list: return list(value, *field.shape, where);
+      case Kind::list: return list(value, field, where);
     }
   }
 
@@ -113,18 +116,32 @@ class Check {
     for (const json& element : value) need(element.is_string(), " holds something that is not a string", where);
   }
 
-  void list(json& value, const Shape& shape, const Where& where) {
+  void list(json& value, const Field& field, const Where& where) {
     need(value.is_array(), " is not an array", where);
-    bytes_ += value.size() * shape.bytes;
-    if (bytes_ > max_bytes) throw Fault("is too large to be drawn", "simplify the scene");
-    for (size_t i = 0; i < value.size(); ++i) object(value[i], shape, {where.outer, where.name, i});
+    bytes_ += value.size() * field.shape->bytes;
+    if (bytes_ > max_bytes) throw LimitFault();
+    for (size_t i = 0; i < value.size(); ++i) element(value[i], field, {where.outer, where.name, i});
   }
 
+  void element(json& value, const Field& field, const Where& where) {
+    if (field.stand_in.empty()) return object(value, *field.shape, where);
+    try {
+      object(value, *field.shape, where);
+    } catch (const Fault& fault) {
+      if (broken_.size() >= max_broken) throw;
+      broken_.emplace(where.written(), fault.what());
+      value = json::parse(field.stand_in);
+    }
+  }
+
+  std::map<std::string, std::string>& broken_;
   size_t bytes_ = 0;
 };
 
 }  // namespace
 
-void bring_into_shape(json& root, const Shape& shape) { Check().object(root, shape, {}); }
+void bring_into_shape(json& root, const Shape& shape, std::map<std::string, std::string>& broken) {
+  Check(broken).object(root, shape, {});
+}
 
 }  // namespace crsh::scene

@@ -42,7 +42,7 @@ std::optional<uint32_t> SkinReader::place_of(int64_t index) {
   try {
     scene_.skins.push_back(read(index));
     found->second = static_cast<uint32_t>(scene_.skins.size() - 1);
-  } catch (const TooLarge&) {
+  } catch (const LimitFault&) {
     throw;
   } catch (const Fault& fault) {
     notes_.add(scene::place("skins", index) + ": " + fault.what() + at_rest);
