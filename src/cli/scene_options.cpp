@@ -186,20 +186,20 @@ OptionGroup picture_options(RenderOptions& options) {
 
 OptionGroup scene_options(RenderCommand& command) {
   RenderOptions& options = command.options;
-  return {"Scene and view",
-          {changes_pixels(with_default("the file's default",
-                                       text("--scene", "INDEX|NAME", "Which of the file's scenes.", options.scene))),
-           changes_pixels(
-               with_default("the usual materials",
-                            text("--variant", "INDEX|NAME",
-                                 "Which of the file's sets of materials (KHR_materials_variants).", options.variant))),
-           changes_pixels(with_default("the first, else one that sees the whole scene",
-                                       text("--camera", "INDEX|NAME", "Which of the file's cameras.", options.camera))),
-           vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
-           vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
-           fov_row(options.view.fov_degrees), orthographic_row(options.view.orthographic_height),
-           light_row(options.lights), hide_row(options.hidden), allow_outside_row(command.allow_outside),
-           changes_pixels(lenient_row(command.lenient))}};
+  return {
+      "Scene and view",
+      {changes_pixels(with_default("the file's default",
+                                   text("--scene", "INDEX|NAME", "Which of the file's scenes.", options.scene))),
+       changes_pixels(
+           with_default("the usual materials",
+                        text("--variant", "INDEX|NAME",
+                             "Which of the file's sets of materials (KHR_materials_variants).", options.variant))),
+       changes_pixels(with_default("the first, else one that sees the whole scene",
+                                   text("--camera", "INDEX|NAME", "Which of the file's cameras.", options.camera))),
+       vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
+       vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
+       fov_row(options.view.fov_degrees), orthographic_row(options.view.orthographic_height), light_row(options.lights),
+       hide_row(options.hidden), allow_outside_row(command.allow_outside), lenient_row(command.lenient)}};
 }
 
 }  // namespace crsh::cli
