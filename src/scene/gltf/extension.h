@@ -39,7 +39,6 @@ class Extension {
   [[nodiscard]] int index(const std::string& key, size_t i) const;
   /// A place in a list, or -1.
   [[nodiscard]] int index(const std::string& key) const;
-  [[nodiscard]] bool flag(const std::string& key, bool otherwise) const;
   [[nodiscard]] std::string text(const std::string& key) const;
   [[nodiscard]] std::optional<Extension> object(const std::string& key) const;
   /// Element `index` of an array of objects; a Fault that names `key` and the index where there is none.
