@@ -33,16 +33,19 @@ float dielectric_fresnel(float cosine, float eta) {
   return clamp(0.5 * (across * across + along * along), 0.0, 1.0);
 }
 
-/// Reflectance at `cosine`, from f0 up to 1: Schlick's curve where rays do not bend (eta is 1), else the dielectric's
-/// exact one, which includes total internal reflection.
-vec3 fresnel(vec3 f0, float cosine, float eta) {
+/// How far reflectance at `cosine` has risen, 0 at the normal to 1.
+float fresnel_rise(float cosine, float eta) {
   float rise = schlick(cosine);
   if (eta != 1.0) {
     float base = dielectric_f0(eta);
     rise = base < 1.0 ? clamp((dielectric_fresnel(cosine, eta) - base) / (1.0 - base), 0.0, 1.0) : 1.0;
   }
-  return f0 + (vec3(1.0) - f0) * rise;
+  return rise;
 }
+
+/// Reflectance at `cosine`, from f0 up to 1: Schlick's curve where rays do not bend (eta is 1), else the dielectric's
+/// exact one, which includes total internal reflection.
+vec3 fresnel(vec3 f0, float cosine, float eta) { return f0 + (vec3(1.0) - f0) * fresnel_rise(cosine, eta); }
 
 /// The weight of a reflection ray. A rough surface scatters part of the light; only the rest, the sharp part, is
 /// traced.

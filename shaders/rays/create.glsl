@@ -6,6 +6,7 @@ layout(local_size_x = 64) in;
 #include "lib/exact.glsl"
 #include "lib/invocation.glsl"
 #include "lib/offset.glsl"
+#include "lib/surface_lobes.glsl"
 #include "shared/limits.h"
 #include "shared/ray.h"
 #include "shared/scene.h"
@@ -32,6 +33,8 @@ layout(binding = 6, scalar) readonly buffer Lights { Light lights[]; };
 layout(binding = 7, scalar) readonly buffer TriangleSpheres { vec4 triangle_spheres[]; };
 layout(binding = 8, scalar) writeonly buffer Rays { Ray rays[]; };
 layout(binding = 9, scalar) writeonly buffer Flags { uint flags[]; };
+
+layout(binding = 11, scalar) readonly buffer SurfaceLobesIn { vec4 surface_lobes[]; };  // where has_lobes
 
 bool met_nothing(uint surface) { return floatBitsToUint(positions[surface].w) == none; }
 

@@ -3,6 +3,7 @@
 // internal reflection. They start behind the geometric surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "lib/bsdf.glsl"
 #include "rays/closest.glsl"
 
 vec3 refracted(vec3 incoming, float eta, vec3 normal, float cosine) {
@@ -20,5 +21,12 @@ void main() {
   vec3 behind = -geometrics[surface].xyz;
   float cosine = cosine_of(normal.xyz, incoming.xyz);
   vec3 weight = refraction_weight(speculars[surface].rgb, cosine, incoming.w, normal.w, diffuses[surface].rgb);
-  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind));
+  float medium = 0.0;
+  if (has_lobes) {
+    SurfaceLobes lobes = LOBES_OF(surface);
+    weight = lobed_refraction_weight(speculars[surface].rgb, lobes, cosine, incoming.w, normal.w, diffuses[surface].rgb,
+                                     -incoming.xyz);
+    medium = lobes.medium_behind < 0.0 ? lobes.medium : lobes.medium_behind;
+  }
+  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind), medium);
 }

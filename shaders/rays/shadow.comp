@@ -20,12 +20,23 @@ void store_shadow_ray(uint i, Light light, vec3 point, vec3 geometric, float ext
   store_ray(i, origin, parallel ? light.direction.xyz : exact_normalize(way), exact_length(way));
 }
 
+/// The normal on the light's side, where light that comes from there counts: also behind what diffuse light goes
+/// through, and on no side of what is unlit. 0: nowhere.
+vec3 side_to(Light light, vec3 point, vec3 geometric, uint surface) {
+  if (has_lobes) {
+    SurfaceLobes lobes = LOBES_OF(surface);
+    if (lobes.unlit) return vec3(0.0);
+    if (lobes.through_share > 0.0 && lit(light, point, -geometric)) return -geometric;
+  }
+  return lit(light, point, geometric) ? geometric : vec3(0.0);
+}
+
 void main() {
   uint i = invocation_index();
   if (i >= count) return;
   uint surface = first_surface + i % surfaces;
   Light light = lights[first_light + i / surfaces];
-  vec3 point = positions[surface].xyz, geometric = geometrics[surface].xyz;
-  if (met_nothing(surface) || !lit(light, point, geometric)) store_none(i);
-  else store_shadow_ray(i, light, point, geometric, extent_at(surface));
+  vec3 point = positions[surface].xyz, side = side_to(light, point, geometrics[surface].xyz, surface);
+  if (met_nothing(surface) || side == vec3(0.0)) store_none(i);
+  else store_shadow_ray(i, light, point, side, extent_at(surface));
 }

@@ -1,10 +1,10 @@
 #version 460
-// Direct light (section 3.2.6, then glTF's BRDF): adds up, for each light of a batch in order, what its shadow ray lets
+// Direct light (section 3.2.6, then glTF's BSDF): adds up, for each light of a batch in order, what its shadow ray lets
 // through times what the surface reflects to the eye. Lane: a surface.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
-#include "lib/brdf.glsl"
+#include "lib/bsdf.glsl"
 #include "lib/invocation.glsl"
 #include "lib/lights.glsl"
 #include "shared/ray.h"
@@ -26,12 +26,20 @@ layout(binding = 6, scalar) readonly buffer Lights { Light lights[]; };
 layout(binding = 7, scalar) readonly buffer Ends { uint ends[]; };
 layout(binding = 8, scalar) readonly buffer Hits { Hit hits[]; };
 layout(binding = 9, scalar) buffer Direct { vec4 direct[]; };
+layout(binding = 10, scalar) readonly buffer SurfaceLobesIn { vec4 surface_lobes[]; };  // where has_lobes
 #include "shading/shadow_hits.glsl"
 
 vec3 light_from(uint surface, Light light, vec3 visibility) {
   Incidence incident = incidence(light, positions[surface].xyz);
   vec4 normal = normals[surface];
   vec3 scattered = diffuses[surface].rgb * (1.0 - normal.w);
+  if (has_lobes) {
+    vec4 geometric = geometrics[surface];
+    Base base = Base(normal.xyz, scattered, speculars[surface].rgb, geometric.w);
+    bool behind = dot(geometric.xyz, incident.towards) < 0.0;
+    return light.colour.rgb * incident.share * visibility *
+           scattered_light(base, LOBES_OF(surface), -incomings[surface].xyz, incident.towards, behind);
+  }
   return light.colour.rgb * incident.share * visibility *
          reflected_light(normal.xyz, -incomings[surface].xyz, incident.towards, scattered, speculars[surface].rgb,
                          geometrics[surface].w);

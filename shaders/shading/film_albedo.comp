@@ -5,16 +5,27 @@
 layout(local_size_x = 64) in;
 #include "lib/invocation.glsl"
 
+#include "lib/surface_lobes.glsl"
+
 layout(push_constant, scalar) uniform Push { uint count; };
 layout(binding = 0, scalar) readonly buffer Diffuses { vec4 diffuses[]; };
 layout(binding = 1, scalar) readonly buffer Speculars { vec4 speculars[]; };
 layout(binding = 2, scalar) readonly buffer Emissions { vec4 emissions[]; };
 layout(binding = 3, scalar) buffer Albedo { vec4 albedo[]; };
 
+layout(binding = 4, scalar) readonly buffer SurfaceLobesIn { vec4 surface_lobes[]; };  // where has_lobes
+
 void main() {
   uint i = invocation_index();
   if (i >= count) return;
   vec4 diffuse = diffuses[i];
-  float f0_share = emissions[i].w;  // the part of F0 that is not base colour; negative where nothing was met
-  if (f0_share >= 0.0) albedo[floatBitsToUint(diffuse.w)] += vec4(diffuse.rgb + speculars[i].rgb - vec3(f0_share), 0.0);
+  vec4 emission = emissions[i];
+  if (emission.w < 0.0) return;   // nothing was met
+  vec3 share = vec3(emission.w);  // the part of F0 that is not base colour
+  if (has_lobes) {
+    SurfaceLobes lobes = LOBES_OF(i);
+    share = lobes.dielectric;
+    if (lobes.unlit) diffuse.rgb += emission.rgb;
+  }
+  albedo[floatBitsToUint(diffuse.w)] += vec4(diffuse.rgb + speculars[i].rgb - share, 0.0);
 }

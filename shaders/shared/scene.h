@@ -167,6 +167,11 @@ struct Lobes {
   vec4 glossiness;            ///< rgb: specular factor; w: glossiness factor
 };
 
+/// Of what a point of a surface has of them, in words of 16 bytes (lib/surface_lobes.glsl).
+CRSH_CONST uint surface_lobe_words = 7u;
+/// Specialisation constant of the kernels that keep or read these: whether the scene has any material with lobes.
+CRSH_CONST uint constant_has_lobes = 20u;
+
 CRSH_CONST uint light_point = 0u;
 CRSH_CONST uint light_spot = 1u;
 CRSH_CONST uint light_directional = 2u;

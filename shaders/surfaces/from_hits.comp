@@ -24,7 +24,7 @@ layout(binding = 2, scalar) readonly buffer Hits { Hit hits[]; };
 layout(binding = 3, scalar) readonly buffer ParentDiffuses { vec4 parent_diffuse[]; };
 layout(binding = 4, scalar) readonly buffer ParentSpeculars { vec4 parent_specular[]; };
 layout(binding = 5, scalar) readonly buffer ParentFootprints { float parent_footprint[]; };
-#include "scene/surface.glsl"
+#include "scene/lobes.glsl"
 #define SURFACES_BINDING 6
 #include "surfaces/surfaces.glsl"
 
@@ -46,7 +46,9 @@ void main() {
   Point point = Point(triangle, point_at(weights, at.a, at.b, at.c), weights, front_normal(at.a, at.b, at.c),
                       doubled_area(at.a, at.b, at.c), footprint);
   Material material = material_of(triangle);
-  Surface found = surface_of(material, attributes_at(triangle, weights), point, ray.direction.xyz);
+  Attributes attributes = attributes_at(triangle, weights);
+  Surface found = surface_of(material, attributes, point, ray.direction.xyz);
+  if (has_lobes) store_lobes(first_out + i, lobes_of(material, attributes, point, ray.direction.xyz, found));
   store_surface(first_out + i, triangle, found, ray.direction.xyz, pixel, path,
                 dielectric_share(material, found.metallic), footprint);
 }

@@ -1,6 +1,6 @@
 #version 460
 // The points to shade at k = 0: the raster pass's attachments (section 3.1) in the order in which rays are made.
-// Lane: a pixel. Emission, the geometric normal and the side of a solid come from the triangle.
+// Lane: a pixel. Emission, the geometric normal and the side of a solid come from the triangle, as do lobes.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -24,7 +24,7 @@ layout(binding = 1, rgba32f) readonly uniform image2D normals;
 layout(binding = 2, rgba32f) readonly uniform image2D diffuses;
 layout(binding = 3, rgba32f) readonly uniform image2D speculars;
 layout(binding = 4, r32ui) readonly uniform uimage2D ids;
-#include "scene/surface.glsl"
+#include "scene/lobes.glsl"
 #define SURFACES_BINDING 5
 #include "surfaces/surfaces.glsl"
 
@@ -42,6 +42,18 @@ void complete(inout Surface found, uint triangle, Material material, vec3 incomi
     found.emission *=
         texels_at(material, 1u << slot_emissive, attributes_at(triangle, weights), point, incoming).emissive.rgb;
   }
+}
+
+/// With lobes: the surface anew, as for a hit, with what they change of it.
+Surface lobed_surface(uint i, uint triangle, Material material, vec3 position, vec3 incoming, float footprint) {
+  Corners at = corners_at(triangle);
+  vec3 weights = weights_at(position, at.a, at.b, at.c);
+  Point point =
+      Point(triangle, position, weights, front_normal(at.a, at.b, at.c), doubled_area(at.a, at.b, at.c), footprint);
+  Attributes attributes = attributes_at(triangle, weights);
+  Surface found = surface_of(material, attributes, point, incoming);
+  store_lobes(i, lobes_of(material, attributes, point, incoming, found));
+  return found;
 }
 
 void main() {
@@ -69,5 +81,9 @@ void main() {
   found.transmission = normal.w;
   float footprint = cone_width + cone_spread * length(position.xyz - eye);
   complete(found, id - 1u, material, incoming, footprint);
+  if (has_lobes && material.lobes != none)
+    found = lobed_surface(i, id - 1u, material, position.xyz, incoming, footprint);
+  else if (has_lobes)
+    store_lobes(i, no_lobes(found.normal, dielectric_share(material, found.metallic), found.metallic));
   store_surface(i, id - 1u, found, incoming, number, 1u, dielectric_share(material, found.metallic), footprint);
 }

@@ -95,9 +95,11 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
     surfaces::Children children = children_of(s.batch.rays, plan, next.count);
     const uint32_t count = children.end - next.count;
     if (next.count == 0)
-      surfaces::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count);
+      surfaces::reserve(s.recorder, next, s.paths.generations[bounce + 1], closest_plans > 1 ? room : count,
+                        s.gpu_scene.has_lobes);
     surfaces::from_hits(s.recorder,
-                        {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces, s.cone_spread},
+                        {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces,
+                         generation.weights, s.cone_spread},
                         next, s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }

@@ -57,7 +57,8 @@ std::vector<gpu::Argument> arguments_of(const CreateIn& in, const Sparse& out) {
           {"geometrics", s.geometric}, {"incomings", s.incoming},
           {"diffuses", s.diffuse},     {"speculars", s.specular},
           {"lights", in.scene.lights}, {"triangle_spheres", in.scene.triangle_spheres},
-          {"rays", out.rays},          {"flags", out.flags}};
+          {"rays", out.rays},          {"flags", out.flags},
+          {"surface_lobes", s.lobes}};
 }
 
 /// `weights`: of the kind's rays, where it takes closest hits; else null.
@@ -69,7 +70,7 @@ void create_run(gpu::Recorder& recorder, const CreateIn& in, const KindRun& run,
     arguments.push_back({"weights", *weights});
   }
   const Push push = push_of(in, run);
-  recorder.dispatch(std::string(ray_kinds[run.kind].creation), push.count, push, arguments);
+  recorder.dispatch(in.scene.with_lobes(std::string(ray_kinds[run.kind].creation)), push.count, push, arguments);
 }
 
 }  // namespace

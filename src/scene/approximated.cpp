@@ -20,11 +20,25 @@ std::set<uint32_t> materials_in_use(const Scene& scene) {
 /// Only the sharp part of a reflection is traced (shaders/lib/fresnel.glsl, reflection_weight). Of what is wholly rough
 /// and no metal, the reflection is so faint and wide that leaving it out is no picture of a mirror.
 bool reflects_too_sharply(const Material& material) {
-  return material.roughness > 0 && (material.roughness < 1 || material.metallic > 0);
+  if (material.unlit) return false;
+  const bool coat = material.clearcoat.factor > 0 && material.clearcoat.roughness > 0;
+  return coat || (material.roughness > 0 && (material.roughness < 1 || material.metallic > 0));
 }
 
 /// Refraction knows no roughness.
 bool is_too_clear(const Material& material) { return material.transmission > 0 && material.roughness > 0; }
+
+bool disperses(const Material& material) { return material.dispersion > 0 && material.thickness > 0; }
+
+/// Shadow rays know no distances inside (device_materials.cpp, half_absorbed).
+bool shadows_by_thickness(const Material& material) {
+  return material.transmission > 0 && material.thickness > 0 && material.attenuation != Attenuation{};
+}
+
+/// A volume behind diffuse transmission scatters light.
+bool scatters(const Material& material) { return material.diffuse_transmission.factor > 0 && material.thickness > 0; }
+
+bool has_sheen(const Material& material) { return material.sheen.colour != glm::vec3(0); }
 
 }  // namespace
 
@@ -37,6 +51,10 @@ std::vector<std::string> approximated(const Scene& scene) {
   };
   add("rough reflection, drawn as a sharp mirror dimmed by (1 - roughness)^2", reflects_too_sharply);
   add("rough glass, drawn clear", is_too_clear);
+  add("dispersion, all colours bent by the one index of refraction", disperses);
+  add("shadows of coloured solids, by the thickness that the file gives", shadows_by_thickness);
+  add("light scattered inside diffuse transmission, drawn as through a thin sheet", scatters);
+  add("sheen, seen by lamps' light alone", has_sheen);
   return clauses;
 }
 

@@ -20,7 +20,7 @@ void add_direct(gpu::Recorder& recorder, const DirectIn& in, surfaces::Generatio
     if (!kind.any_hit || !kind.adds_light) continue;
     const Push push{plan.surfaces, plan.first_surface, run.first * plan.surfaces, plan.segments[run.first].light,
                     run.segments};
-    recorder.dispatch("shading/direct", plan.surfaces, push,
+    recorder.dispatch(in.scene.with_lobes("shading/direct"), plan.surfaces, push,
                       {{"positions", s.position},
                        {"normals", s.normal},
                        {"geometrics", s.geometric},
@@ -30,7 +30,8 @@ void add_direct(gpu::Recorder& recorder, const DirectIn& in, surfaces::Generatio
                        {"lights", in.scene.lights},
                        {"ends", in.ends},
                        {"hits", in.hits},
-                       {"direct", generation.direct}},
+                       {"direct", generation.direct},
+                       {"surface_lobes", s.lobes}},
                       uint64_t(plan.surfaces) * run.segments);
   }
 }

@@ -34,11 +34,12 @@ void add_value(gpu::Recorder& recorder, const SampleIn& in, const LayerSource& s
 }
 
 void add_base_colour(gpu::Recorder& recorder, const SampleIn& in, const LayerSource&, const gpu::Buffer& pixels) {
-  recorder.dispatch("shading/film_albedo", in.surfaces.count, in.surfaces.count,
+  recorder.dispatch(in.scene.with_lobes("shading/film_albedo"), in.surfaces.count, in.surfaces.count,
                     {{"diffuses", in.surfaces.diffuse},
                      {"speculars", in.surfaces.specular},
                      {"emissions", in.generation.emission},
-                     {"albedo", pixels}});
+                     {"albedo", pixels},
+                     {"surface_lobes", in.surfaces.lobes}});
 }
 
 void write_depth(gpu::Recorder& recorder, const SampleIn& in, const LayerSource&, const gpu::Buffer& pixels) {

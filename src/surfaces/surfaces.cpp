@@ -35,9 +35,24 @@ std::vector<gpu::Argument> with_outputs(std::vector<gpu::Argument> read, const S
   const gpu::Argument outputs[] = {{"out_position", surfaces.position},   {"out_normal", surfaces.normal},
                                    {"out_geometric", surfaces.geometric}, {"out_incoming", surfaces.incoming},
                                    {"out_diffuse", surfaces.diffuse},     {"out_specular", surfaces.specular},
-                                   {"out_emission", generation.emission}, {"out_footprint", surfaces.footprint}};
+                                   {"out_emission", generation.emission}, {"out_footprint", surfaces.footprint},
+                                   {"out_lobes", surfaces.lobes}};
   read.insert(read.end(), std::begin(outputs), std::end(outputs));
   return read;
+}
+
+/// What solids take of the light of one kind's rays.
+void absorb(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, const Surfaces& surfaces) {
+  const ChildRun& run = in.children.of_kind[kind];
+  const struct {
+    uint32_t first_ray, count, slots, first_parent, first_out;
+  } push{run.first_ray, run.count, in.children.surfaces, in.children.first_surface, run.first_child};
+  recorder.dispatch("surfaces/absorb", push.count, push,
+                    {in.scene.tables,
+                     {"slot_of", in.slots},
+                     {"hits", in.hits},
+                     {"weights", in.parent_weights[kind]},
+                     {"surface_lobes", surfaces.lobes}});
 }
 
 /// Where the rays of one kind hit.
@@ -48,7 +63,7 @@ void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, cons
   clear_direct(recorder, generation, run.first_child, run.count);
   const HitsPush push{run.first_ray,        run.count,     children.surfaces, children.first_surface, run.first_child,
                       ray_kinds[kind].turn, in.cone_spread};
-  recorder.dispatch("surfaces/from_hits", push.count, push,
+  recorder.dispatch(in.scene.with_lobes("surfaces/from_hits"), push.count, push,
                     with_outputs({in.scene.tables,
                                   {"rays", in.rays},
                                   {"slot_of", in.slots},
@@ -57,11 +72,12 @@ void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, cons
                                   {"parent_specular", in.parents.specular},
                                   {"parent_footprint", in.parents.footprint}},
                                  surfaces, generation));
+  if (in.scene.has_lobes && run.count) absorb(recorder, in, kind, surfaces);
 }
 
 }  // namespace
 
-void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation, uint32_t count) {
+void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation, uint32_t count, bool lobes) {
   const uint64_t bytes = count * word_bytes;
   primitives::grow(recorder, surfaces.position, bytes, "surface positions");
   primitives::grow(recorder, surfaces.normal, bytes, "surface normals");
@@ -70,12 +86,13 @@ void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation
   primitives::grow(recorder, surfaces.diffuse, bytes, "diffuse properties");
   primitives::grow(recorder, surfaces.specular, bytes, "specular properties");
   primitives::grow(recorder, surfaces.footprint, count * uint64_t(sizeof(float)), "footprints");
+  primitives::grow(recorder, surfaces.lobes, lobes ? bytes * shared::surface_lobe_words : word_bytes, "surface lobes");
   primitives::grow(recorder, generation.emission, bytes, "emission");
   primitives::grow(recorder, generation.direct, bytes, "direct light");
 }
 
 void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surfaces, Generation& generation) {
-  reserve(recorder, surfaces, generation, in.count);
+  reserve(recorder, surfaces, generation, in.count, in.scene.has_lobes);
   surfaces.count = generation.count = in.count;
   clear_direct(recorder, generation, 0, in.count);
   const raster::CameraView& view = in.view;
@@ -90,7 +107,7 @@ void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surf
                         cone.spread,
                         cone.width};
   const raster::GBuffer& g = in.gbuffer;
-  recorder.dispatch("surfaces/from_raster", in.count, push,
+  recorder.dispatch(in.scene.with_lobes("surfaces/from_raster"), in.count, push,
                     with_outputs({in.scene.tables,
                                   {"positions", g.position},
                                   {"normals", g.normal},

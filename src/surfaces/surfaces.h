@@ -26,6 +26,7 @@ struct Surfaces {
   gpu::Buffer diffuse;    ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
   gpu::Buffer specular;   ///< rgb: F0; w: bits of the path: 1, then shared::path_bits a bounce: RayKind::turn
   gpu::Buffer footprint;  ///< float: how wide the pixel's cone is there, across the ray that came, metres
+  gpu::Buffer lobes;      ///< vec4, shared::surface_lobe_words a surface, where the scene has any lobes; else one
   uint32_t count = 0;
 };
 
@@ -56,8 +57,8 @@ struct Generation {
 };
 
 /// Makes room for `count` surfaces. Where a buffer has to grow, its old contents are lost, and what is recorded is
-/// submitted first.
-void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation, uint32_t count);
+/// submitted first. `lobes`: whether the scene has any.
+void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation, uint32_t count, bool lobes);
 
 struct FromRasterIn {
   const raster::GBuffer& gbuffer;
@@ -78,7 +79,8 @@ struct FromHitsIn {
   const gpu::Buffer& hits;   ///< shared::Hit a ray, in creation order
   const Children& children;
   const Surfaces& parents;
-  float cone_spread = 0;  ///< raster::PixelCone's
+  PerKind<gpu::Buffer>& parent_weights;  ///< of the rays: solids take their part (Beer's law)
+  float cone_spread = 0;                 ///< raster::PixelCone's
 };
 
 /// Generation k + 1: where the closest-hit rays of one batch hit. `surfaces` must have room (reserve) for

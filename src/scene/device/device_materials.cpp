@@ -26,25 +26,49 @@ glm::dvec3 mean(const Scene& scene, const TextureUse& use, bool srgb) {
   return sum / double(texels);
 }
 
+bool transmits(const Material& material) {
+  return material.transmission > 0 && material.metallic < 1 && !material.unlit;
+}
+
+/// At some time of an animation.
+bool may_transmit(const Material& material) {
+  return transmits(material) || (material.may_transmit && !material.unlit);
+}
+
+/// Whether it is a solid that bends rays. Rays must hit its far side from inside, even where the material is not
+/// doubleSided.
+bool is_solid(const Material& material) {
+  return (material.transmission > 0 || material.may_transmit) && material.thickness > 0 && !material.unlit;
+}
+
 double normal_reflectance(double ior) {
   const double root = (ior - 1) / (ior + 1);
   return root * root;
 }
 
+/// Beer's law: what is left after one metre is exp of minus this (KHR_materials_volume).
+glm::vec3 absorption_of(const Attenuation& attenuation) {
+  return -glm::log(glm::max(attenuation.colour, glm::vec3(1e-6f))) / attenuation.distance;
+}
+
+/// At the normal, of the channel that is reflected most (KHR_materials_specular).
+double dielectric_reflectance(const Material& material) {
+  const double f0 = normal_reflectance(material.ior);
+  if (material.specular == Specular{}) return f0;
+  const glm::dvec3 coloured = glm::min(f0 * glm::dvec3(material.specular.colour), 1.0);
+  return material.specular.factor * std::max({coloured.r, coloured.g, coloured.b});
+}
+
+/// What one of the two crossings of a solid leaves, as shadow rays know no distances inside: the file's thickness is
+/// taken for that, as rasterising viewers do.
+glm::dvec3 half_absorbed(const Material& material) {
+  if (!is_solid(material) || material.attenuation == Attenuation{}) return glm::dvec3(1);
+  return glm::exp(-0.5 * double(material.thickness) * glm::dvec3(absorption_of(material.attenuation)));
+}
+
 uint32_t fixed_minus_log2(double through) {
   if (!(through > 0)) return 0xFFFFFFFFu;
   return uint32_t(std::min(std::round(-std::log2(std::min(through, 1.0)) * 65536), double(0xFFFFFFFEu)));
-}
-
-bool transmits(const Material& material) { return material.transmission > 0 && material.metallic < 1; }
-
-/// At some time of an animation.
-bool may_transmit(const Material& material) { return transmits(material) || material.may_transmit; }
-
-/// Whether it is a solid that bends rays. Rays must hit its far side from inside, even where the material is not
-/// doubleSided.
-bool is_solid(const Material& material) {
-  return (material.transmission > 0 || material.may_transmit) && material.thickness > 0;
 }
 
 /// All flags of a texture's word but the page and the number of levels.
@@ -147,11 +171,6 @@ shared::Material device_material(const Scene& scene, const Material& material) {
   return out;
 }
 
-/// Beer's law: what is left after one metre is exp of minus this (KHR_materials_volume).
-glm::vec3 absorption_of(const Attenuation& attenuation) {
-  return -glm::log(glm::max(attenuation.colour, glm::vec3(1e-6f))) / attenuation.distance;
-}
-
 shared::Lobes device_lobes(const Material& m) {
   const SpecularGlossiness glossy = m.specular_glossiness.value_or(SpecularGlossiness{});
   return {glm::vec4(m.specular.colour, m.specular.factor),
@@ -172,6 +191,9 @@ void set_factors(const Scene& scene, const Material& material, shared::Material&
   out.body = {material.roughness, material.transmission, material.ior, material.thickness};
   out.detail = {material.normal_scale, material.occlusion_strength, material.alpha_cutoff, 0};
   out.tint = tint_of(scene, material);
+  if (!material.unlit) return;
+  out.emissive_metallic = glm::vec4(0);  // base colour is all that counts
+  out.body.y = 0;
 }
 
 glm::uvec4 tint_of(const Scene& scene, const Material& material) {
@@ -179,7 +201,8 @@ glm::uvec4 tint_of(const Scene& scene, const Material& material) {
   const double metallic = material.metallic * mean(scene, material.texture(Slot::metallic_roughness), false).b;
   const double transmission = material.transmission * mean(scene, material.texture(Slot::transmission), false).r;
   const glm::dvec3 through = glm::dvec3(material.base_colour) * mean(scene, material.texture(Slot::base_colour), true) *
-                             (transmission * (1 - metallic) * (1 - normal_reflectance(material.ior)));
+                             (transmission * (1 - metallic) * (1 - dielectric_reflectance(material))) *
+                             half_absorbed(material);
   return {fixed_minus_log2(through.r), fixed_minus_log2(through.g), fixed_minus_log2(through.b), 0};
 }
 

@@ -123,6 +123,7 @@ void upload_materials(gpu::Device& device, const Scene& scene, GpuScene& out) {
   out.textures = gpu::upload(device, all.textures, "textures");
   out.texture_uses = gpu::upload(device, all.uses, "texture uses");
   out.lobes = gpu::upload(device, all.lobes, "lobes");
+  out.has_lobes = !all.lobes.empty();
   for (size_t page = 0; page < texel_page_count; ++page)
     out.texels[page] = gpu::upload(device, all.texels.pages[page], "texels");
   out.notes = std::move(all.texels.notes);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -33,6 +34,7 @@ struct GpuScene {
   gpu::Buffer blocks;           ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
   uint32_t triangle_count = 0;  ///< drawn
   uint32_t instance_count = 0, block_count = 0;
+  bool has_lobes = false;                         ///< whether any material has
   std::vector<std::string> notes;                 ///< for stderr
   PosedTables posed;                              ///< what deforms
   std::vector<shared::Material> given_materials;  ///< as the file has them; animations change their factors
@@ -48,6 +50,11 @@ struct GpuScene {
   Bounds bounds;  ///< of all object spheres in this pose, of what deforms the bounds of its joints
 
   gpu::BufferSet tables;  ///< what shading reads of all these, bound together: shaders/scene/tables.glsl
+
+  /// A kernel that keeps or reads the lobes of surfaces, compiled for this scene (shaders/lib/surface_lobes.glsl).
+  [[nodiscard]] gpu::Kernel with_lobes(std::string path) const {
+    return {std::move(path), {{shared::constant_has_lobes, has_lobes}}};
+  }
 };
 
 /// Throws UserError where a list outgrows what the device can bind, and gpu::OutOfMemory.
