@@ -35,7 +35,7 @@ float sheen_visibility(float cos_light, float cos_view, float alpha) {
 }
 
 /// The directional albedo of white sheen, "E" in the extension: 16 by 16 values of 8 bits, by roughness, then the root
-/// of the cosine, both from 0 to 1. They are integrals over the two functions above; a test works them out anew.
+/// of the cosine, both from 0 to 1. They are integrals over the two functions above, 1 at most.
 const uint sheen_albedos[64] =
     uint[64](0xFFFFFFFFu, 0x0A2156B8u, 0x00000002u, 0x00000000u, 0xFFFFFFFFu, 0x0A2156B8u, 0x00000002u, 0x00000000u,
              0xFFFFFFFFu, 0x2C4E80C0u, 0x01030916u, 0x00000000u, 0xE1FFFFFFu, 0x415F84B0u, 0x060D192Au, 0x00000102u,

@@ -3,7 +3,7 @@
 #include "lib/fresnel.glsl"
 #include "rays/create.glsl"
 
-layout(binding = 10, scalar) writeonly buffer Weights { vec4 weights[]; };
+layout(binding = 11, scalar) writeonly buffer Weights { vec4 weights[]; };
 
 /// Cosine between the shading normal and the way back along the ray that came.
 float cosine_of(vec3 normal, vec3 incoming) { return clamp(-exact_dot(normal, incoming), 0.0, 1.0); }

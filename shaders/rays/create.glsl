@@ -34,7 +34,7 @@ layout(binding = 7, scalar) readonly buffer TriangleSpheres { vec4 triangle_sphe
 layout(binding = 8, scalar) writeonly buffer Rays { Ray rays[]; };
 layout(binding = 9, scalar) writeonly buffer Flags { uint flags[]; };
 
-layout(binding = 11, scalar) readonly buffer SurfaceLobesIn { vec4 surface_lobes[]; };  // where has_lobes
+layout(binding = 10, scalar) readonly buffer SurfaceLobesIn { vec4 surface_lobes[]; };  // where has_lobes
 
 bool met_nothing(uint surface) { return floatBitsToUint(positions[surface].w) == none; }
 
