@@ -9,7 +9,7 @@ import sys
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 SCENES = ("cornell", "office", "colonnade", "glass", "moving", "walking",
-          "morphing")
+          "morphing", "materials")
 
 
 def main():

@@ -71,7 +71,7 @@ class Document:
 
     def material(self, name, colour=(1, 1, 1), roughness=0.8, metallic=0.0, *,
                  emissive=None, texture=None, double_sided=False,
-                 transmission=0.0, ior=None, thickness=None):
+                 transmission=0.0, ior=None, thickness=None, extensions=None):
         """Add a material; glass with a thickness is solid and bends light."""
         surface = {"baseColorFactor": [*colour, 1.0],
                    "metallicFactor": metallic, "roughnessFactor": roughness}
@@ -82,20 +82,21 @@ class Document:
             item["emissiveFactor"] = list(emissive)
         if double_sided:
             item["doubleSided"] = True
-        extensions = {}
+        given, extensions = extensions or {}, {}
         if transmission:
             extensions["KHR_materials_transmission"] = {"transmissionFactor": transmission}
         if ior:
             extensions["KHR_materials_ior"] = {"ior": ior}
         if thickness:
             extensions["KHR_materials_volume"] = {"thicknessFactor": thickness}
+        extensions.update(given)
         if extensions:
             item["extensions"] = extensions
             self.extensions.update(extensions)
         return self._append("materials", item)
 
-    def mesh(self, name, geometry, material, with_uv=False):
-        """Write a Mesh with one primitive; returns its index."""
+    def mesh(self, name, geometry, material, with_uv=False, tangent=None):
+        """Write a Mesh with one primitive; returns its index. tangent: of a position."""
         corners, indices = geometry.welded()
         wide = len(corners) > 65535
         normals = [vector.unit(normal) for _, normal, _ in corners]
@@ -103,6 +104,9 @@ class Document:
             "POSITION": self._accessor([c[0] for c in corners], FLOAT, ARRAY_BUFFER,
                                        bounds=True),
             "NORMAL": self._accessor(normals, FLOAT, ARRAY_BUFFER)}
+        if tangent:
+            attributes["TANGENT"] = self._accessor(
+                [(*tangent(c[0]), 1.0) for c in corners], FLOAT, ARRAY_BUFFER)
         if with_uv:
             attributes["TEXCOORD_0"] = self._uv_accessor([c[2] for c in corners])
         return self._append("meshes", {"name": name, "primitives": [{
