@@ -15,6 +15,7 @@
 #include "scene/gltf/texcoords.h"
 #include "scene/gltf/variants.h"
 #include "scene/properties.h"
+#include "scene/tangents.h"
 
 namespace crsh::scene {
 
@@ -76,6 +77,7 @@ Scene read(const std::filesystem::path& path, const LoadOptions& options) {
   read_instances(document, nodes, scene, notes, chosen_variant(scene.variants, options.variant));
   if (scene.instances.empty() && notes.first_fault()) throw Fault(*notes.first_fault());
   read_materials(document, materials_used(scene), scene, notes);
+  fill_tangents(scene);
   const FilePlaces cameras = read_cameras(document, nodes, scene, notes);
   const FilePlaces lights = read_lights(document, nodes, scene, notes);
   read_animations(document, {nodes, cameras, lights}, scene, notes);
