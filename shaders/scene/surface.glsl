@@ -93,10 +93,14 @@ vec2 transformed(TextureUse use, vec2 uv) {
   return sum;
 }
 
-/// The texture of one of a material's slots, which it must have.
+/// How a material uses the texture of one of its slots, which it must have.
+TextureUse use_of(Material material, uint slot) {
+  return texture_use(material.first_use + bitCount(material.slots & ((1u << slot) - 1u)));
+}
+
+/// Its value at a point.
 vec4 texel_of(Material material, uint slot, Attributes at, uvec3 uv_metrics, float area, float footprint) {
-  uint before = bitCount(material.slots & ((1u << slot) - 1u));
-  TextureUse use = texture_use(material.first_use + before);
+  TextureUse use = use_of(material, slot);
   vec2 uv = use.uv_set == 0u ? at.uv[0] : use.uv_set == 1u ? at.uv[1] : at.uv[2];
   return sample_texture(use.texture, transformed(use, uv), texels_across(use, uv_metrics, area, footprint));
 }
@@ -148,9 +152,23 @@ TangentFrame frame_at(Point point, vec3 normal) {
   return tangent_frame(straight, exact_normalize(direction_to_world(instance, sum.xyz)), sign);
 }
 
-/// The shading normal where there is a normal map. `normal`: as interpolated.
-vec3 tilted_normal(Point point, vec3 normal, vec3 geometric, vec3 texel, float scale, vec3 incoming) {
-  TangentFrame frame = frame_at(point, normal);
+/// The frame of a texture's own axes: tangents are made from the coordinates before KHR_texture_transform, and a map
+/// that is turned tilts the way it lies on the surface. `matrix`: TextureUse's. Its inverse takes (1, 0) to the way
+/// that the texture's u goes; v goes down, the bitangent up.
+TangentFrame turned_frame(TangentFrame frame, vec4 matrix) {
+  float area = matrix.x * matrix.w - matrix.y * matrix.z;
+  float side = area < 0.0 ? -1.0 : 1.0;
+  vec2 along = vec2(matrix.w, matrix.z) * side;
+  if (along.y == 0.0 && along.x > 0.0 && area > 0.0 || area == 0.0) return frame;
+  vec3 tangent = exact_normalize(frame.tangent * along.x + frame.bitangent * along.y);
+  vec3 across = cross(frame.normal, tangent);
+  return TangentFrame(tangent, dot(cross(frame.normal, frame.tangent), frame.bitangent) * area < 0.0 ? -across : across,
+                      frame.normal);
+}
+
+/// The shading normal where there is a normal map. `normal`: as interpolated; `matrix`: of the map's TextureUse.
+vec3 tilted_normal(Point point, vec3 normal, vec3 geometric, vec3 texel, float scale, vec4 matrix, vec3 incoming) {
+  TangentFrame frame = turned_frame(frame_at(point, normal), matrix);
   vec3 mapped = exact_normalize(mapped_normal(frame, texel, scale));
   if (!(dot(frame.tangent, frame.tangent) > 0.5 && dot(mapped, mapped) > 0.5))
     return shading_normal(normal, geometric, incoming);
@@ -166,7 +184,8 @@ Surface surface_of(Material material, Attributes at, Point point, vec3 incoming)
   found.geometric = turned_normal(point.front, incoming);
   found.normal = shading_normal(at.normal, found.geometric, incoming);
   if ((material.slots & 1u << slot_normal) != 0u)
-    found.normal = tilted_normal(point, at.normal, found.geometric, texels.normal.xyz, material.detail.x, incoming);
+    found.normal = tilted_normal(point, at.normal, found.geometric, texels.normal.xyz, material.detail.x,
+                                 use_of(material, slot_normal).matrix, incoming);
   found.metallic = clamp(material.emissive_metallic.w * texels.metallic_roughness.b, 0.0, 1.0);
   found.roughness = clamp(material.body.x * texels.metallic_roughness.g, 0.0, 1.0);
   found.transmission = clamp(material.body.y * texels.transmission.r, 0.0, 1.0);
