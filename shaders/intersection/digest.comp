@@ -1,6 +1,6 @@
 #version 460
 // Sums up a 64-bit hash of each ray's hit, pixel, path and light over a segment: two digests are equal where all hits
-// are, in whatever order the rays come. It also counts the rays that hit. A lane takes several rays, so that subgroups
+// are, in whatever order the rays come. It also counts the rays that hit, and how often alpha was asked for. A lane takes several rays, so that subgroups
 // add to memory less often.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,6 +23,7 @@ layout(push_constant, scalar) uniform Push {
   uint light;
   uint hits_counter;
   uint digest_counter;
+  uint alpha_counter;
 };
 layout(binding = 0, scalar) readonly buffer Slots { uint slots[]; };
 layout(binding = 1, scalar) readonly buffer Hits { uvec4 hits[]; };
@@ -40,7 +41,7 @@ uvec2 digest_of(uint surface, uvec4 hit) {
 
 void main() {
   uint i = invocation_index();
-  uint met = 0u;
+  uint met = 0u, alphas = 0u;
   uvec4 parts = uvec4(0u);  // of 64-bit sums, modulo 2^64: 16 bits at a time so that a subgroup's sum fits a word
   if (i < lanes) {
     for (;;) {
@@ -50,11 +51,13 @@ void main() {
       parts += uvec4(digest.x & 0xFFFFu, digest.x >> 16, digest.y & 0xFFFFu, digest.y >> 16);
       bool any_hit = takes_any_hit(kind);
       met += (any_hit ? all(equal(hit.xyz, uvec3(0xFFFFFFFFu))) : hit.y != none) ? 1u : 0u;
+      alphas += hit.w;
       i += lanes;
       if (i >= ray_count) break;
     }
   }
   ADD_COUNTER(hits_counter, met)
+  ADD_COUNTER(alpha_counter, alphas)
   bool adds = true;
   if (lanes_reconverge) {
     parts = subgroupAdd(parts);

@@ -130,12 +130,12 @@ bool inside_bounds(vec3 origin, vec3 direction, float t, vec3 a, vec3 b, vec3 c)
   return inside_slabs(origin, direction, t, low, high) && inside_chord(origin, direction, t, sphere.xyz, radius);
 }
 
-/// Whether the ray hits the triangle, and at which t. `shear`: of the ray's direction. `cull_back`: rays pass through
-/// the triangle's back.
+/// Whether the ray hits the triangle, at which t, and with which edge weights. `shear`: of the ray's direction.
+/// `cull_back`: rays pass through the triangle's back.
 bool hit_triangle(vec3 origin, vec3 direction, Shear shear, float tmax, vec3 a, vec3 b, vec3 c, bool cull_back,
-                  out float t) {
+                  out float t, out vec3 weights) {
   vec3 sa = seen_from(origin, shear, a), sb = seen_from(origin, shear, b), sc = seen_from(origin, shear, c);
-  vec3 weights = edge_weights(sa, sb, sc);
+  weights = edge_weights(sa, sb, sc);
   bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
 
   // Depth is a weighted mean of the corners' depths, so that the point stays on the triangle at grazing incidence, too.
@@ -152,13 +152,18 @@ bool hit_triangle(vec3 origin, vec3 direction, Shear shear, float tmax, vec3 a, 
   return hit;
 }
 
-/// Barycentric weights of a, b, c where the ray meets the triangle; their sum is 1 (a third each where it has no area).
-vec3 barycentrics(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
-  Shear shear = shear_of(direction);
-  vec3 weights = edge_weights(seen_from(origin, shear, a), seen_from(origin, shear, b), seen_from(origin, shear, c));
+/// Edge weights brought to a sum of 1 (a third each where the triangle has no area).
+vec3 normalised(vec3 weights) {
   precise float sum = (weights.x + weights.y) + weights.z;
   precise vec3 result = sum != 0.0 ? weights / sum : vec3(1.0 / 3.0);
   return result;
+}
+
+/// Barycentric weights of a, b, c where the ray meets the triangle.
+vec3 barycentrics(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
+  Shear shear = shear_of(direction);
+  return normalised(
+      edge_weights(seen_from(origin, shear, a), seen_from(origin, shear, b), seen_from(origin, shear, c)));
 }
 
 #endif

@@ -1,6 +1,7 @@
 #version 460
 // Refraction rays (section 3.2.2): straight on through thin walls, bent by Snell's law at solids, none at total
-// internal reflection. They start behind the geometric surface.
+// internal reflection. They start behind the geometric surface. What passes by a sheet that alphaMode BLEND leaves half
+// there goes the same way.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/bsdf.glsl"
@@ -28,5 +29,5 @@ void main() {
                                      -incoming.xyz);
     medium = lobes.medium_behind < 0.0 ? lobes.medium : lobes.medium_behind;
   }
-  store(i, weight, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind), medium);
+  store(i, weight, 1.0, behind, on_side(refracted(incoming.xyz, incoming.w, normal.xyz, cosine), behind), medium);
 }

@@ -69,6 +69,7 @@ void apply_anisotropy(Material material, Lobes from, LobeTexels texels, Point po
   vec2 turned = vec2(from.anisotropy.y * way.x - from.anisotropy.z * way.y,
                      from.anisotropy.z * way.x + from.anisotropy.y * way.y);
   TangentFrame frame = frame_at(point, interpolated);
+  if (has_slot(material, slot_anisotropy)) frame = turned_frame(frame, use_of(material, slot_anisotropy).matrix);
   vec3 along = frame.tangent * turned.x + frame.bitangent * turned.y;
   along -= normal * dot(normal, along);
   if (!(dot(along, along) > 1e-6)) return;
@@ -101,7 +102,8 @@ vec3 coat_normal_of(Material material, Lobes from, LobeTexels texels, Point poin
                     vec3 incoming) {
   if (!has_slot(material, slot_clearcoat_normal)) return shading_normal(interpolated, geometric, incoming);
   vec3 texel = texel_of_slot(texels, slot_clearcoat_normal).xyz;
-  return tilted_normal(point, interpolated, geometric, texel, from.clearcoat.z, incoming);
+  return tilted_normal(point, interpolated, geometric, texel, from.clearcoat.z,
+                       use_of(material, slot_clearcoat_normal).matrix, incoming);
 }
 
 /// KHR_materials_unlit: base colour is emitted, nothing is reflected.

@@ -2,6 +2,7 @@
 // bounce.
 
 #include "scene/tables.glsl"
+#include "lib/sheer.glsl"
 #include "lib/surface.glsl"
 #include "lib/tangent.glsl"
 #include "lib/textures.glsl"
@@ -175,7 +176,23 @@ vec3 tilted_normal(Point point, vec3 normal, vec3 geometric, vec3 texel, float s
   return lifted_normal(exact_dot(frame.normal, geometric) < 0.0 ? -mapped : mapped, incoming);
 }
 
-/// The surface that a ray along the unit vector `incoming` meets at a point of a triangle with this material.
+/// Of a triangle with alpha.
+Sheer sheer_of(uint triangle) {
+  int first = int(3u * stored_triangle(stored_of(triangle)).sheer);
+  return sheer_of_words(texelFetch(sheers, first), texelFetch(sheers, first + 1), texelFetch(sheers, first + 2));
+}
+
+/// How much of a triangle is there, as every ray has it; negative: nothing, so that no ray meets it. What alphaMode
+/// MASK leaves is there wholly.
+float coverage_at(uint triangle, vec3 weights) {
+  uint flags = flags_of(triangle);
+  if (sheer_pages == 0u || (flags & triangle_sheer) == 0u) return 1.0;
+  Sheer sheer = sheer_of(triangle);
+  float alpha = alpha_at(sheer, weights, (flags & triangle_mirrored) != 0u);
+  return !is_there(sheer, alpha) ? -1.0 : is_blended(sheer) ? alpha : 1.0;
+}
+
+/// The surface, wholly there, that a ray along the unit vector `incoming` meets at a point of a triangle with this material.
 Surface surface_of(Material material, Attributes at, Point point, vec3 incoming) {
   Texels texels = texels_at(material, slots_of_all, at, point, incoming);
   vec4 base = material.base_colour * at.colour * texels.base_colour;
@@ -193,6 +210,6 @@ Surface surface_of(Material material, Attributes at, Point point, vec3 incoming)
   found.specular = dielectric_share(material, found.metallic) + base.rgb * found.metallic;
   found.eta = eta_of(material, meets_front(point.front, incoming));
   found.emission = material.emissive_metallic.rgb * texels.emissive.rgb;
-  found.alpha = (material.flags & material_blend) != 0u ? clamp(base.a, 0.0, 1.0) : 1.0;
+  found.alpha = 1.0;
   return found;
 }

@@ -19,6 +19,7 @@ layout(set = 1, binding = 10) uniform utextureBuffer texels0;      // a page eac
 layout(set = 1, binding = 11) uniform utextureBuffer texels1;
 layout(set = 1, binding = 12) uniform utextureBuffer texels2;
 layout(set = 1, binding = 13) uniform utextureBuffer texels3;
+layout(set = 1, binding = 14) uniform utextureBuffer sheers;  // Sheer, three
 
 uint texel_word(uint page, uint index) {
   int i = int(index);

@@ -27,6 +27,7 @@ layout(binding = 7, scalar) readonly buffer Ends { uint ends[]; };
 layout(binding = 8, scalar) readonly buffer Hits { Hit hits[]; };
 layout(binding = 9, scalar) buffer Direct { vec4 direct[]; };
 layout(binding = 10, scalar) readonly buffer SurfaceLobesIn { vec4 surface_lobes[]; };  // where has_lobes
+layout(binding = 11, scalar) readonly buffer Footprints { vec2 footprints[]; };  // y: how much of the surface is there
 #include "shading/shadow_hits.glsl"
 
 vec3 light_from(uint surface, Light light, vec3 visibility) {
@@ -37,10 +38,10 @@ vec3 light_from(uint surface, Light light, vec3 visibility) {
     vec4 geometric = geometrics[surface];
     Base base = Base(normal.xyz, scattered, speculars[surface].rgb, geometric.w);
     bool behind = dot(geometric.xyz, incident.towards) < 0.0;
-    return light.colour.rgb * incident.share * visibility *
+    return footprints[surface].y * light.colour.rgb * incident.share * visibility *
            scattered_light(base, LOBES_OF(surface), -incomings[surface].xyz, incident.towards, behind);
   }
-  return light.colour.rgb * incident.share * visibility *
+  return footprints[surface].y * light.colour.rgb * incident.share * visibility *
          reflected_light(normal.xyz, -incomings[surface].xyz, incident.towards, scattered, speculars[surface].rgb,
                          geometrics[surface].w);
 }

@@ -26,7 +26,8 @@ void main() {
   uint surface = first_surface + i, slot = first_slot + i;
   uint ray = slot == 0u ? 0u : ends[slot - 1u];
   if (ends[slot] == ray) return;  // no ray in this slot
-  precise vec3 light = weights[surface].rgb * child_totals[ray - first_ray].rgb;
-  totals[surface].rgb += light;
+  vec4 weight = weights[surface], child = child_totals[ray - first_ray];
+  precise vec3 light = weight.rgb * child.rgb;
+  totals[surface] += vec4(light, fract(weight.w) * (child.w - 1.0));  // nothing met beside the surface: not covered
   if (apart) brought[surface] = vec4(light, 0.0);
 }

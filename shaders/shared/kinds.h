@@ -12,6 +12,7 @@ CRSH_CONST uint ray_at_last_bounce = 8u;  ///< cast also from the last bounce's 
 CRSH_CONST uint ray_at_first_bounce = 16u;  ///< cast only from what the camera sees (k = 0)
 CRSH_CONST uint ray_adds_no_light = 32u;    ///< shown in a layer of its own only, and not cast unless asked for
 CRSH_CONST uint ray_override = 64u;         ///< what --override-mirror makes of every surface
+CRSH_CONST uint ray_goes_through = 128u;    ///< shows also what lies behind a surface that is not wholly there (BLEND)
 
 /// The table of ray kinds, which shaders, command line, counters, panels, files and layers go by: ROW(name, number,
 /// properties). Numbers rise from 0; the kind is the highest part of a sort key (section 3.2.2). A kind's rays are
@@ -19,7 +20,7 @@ CRSH_CONST uint ray_override = 64u;         ///< what --override-mirror makes of
 #define CRSH_RAY_KINDS(ROW)                                                           \
   ROW(shadow, 0u, ray_any_hit | ray_a_light | ray_shared_origin | ray_at_last_bounce) \
   ROW(reflection, 1u, ray_override)                                                   \
-  ROW(refraction, 2u, 0u)
+  ROW(refraction, 2u, ray_goes_through)
 
 #define CRSH_ONE(name, number, properties) +1u
 CRSH_CONST uint kind_count = 0u CRSH_RAY_KINDS(CRSH_ONE);

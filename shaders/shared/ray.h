@@ -16,9 +16,9 @@ bool takes_any_hit(Ray ray) { return takes_any_hit(uint(ray.direction.w)); }
 #endif
 
 /// What the final intersection keeps for a ray.
-/// Closest hit: x = bits of t (infinity: none), y = triangle id or `none`, z = w = 0.
-/// Any hit: xyz = sum of -log2(transmittance) in 16.16 fixed point a channel, saturating at 0xFFFFFFFF (blocked);
-/// w = 0.
+/// Closest hit: x = bits of t (infinity: none), y = triangle id or `none`, z = 0.
+/// Any hit: xyz = sum of -log2(transmittance) in 16.16 fixed point a channel, saturating at 0xFFFFFFFF (blocked).
+/// w: how often alpha was asked for (alphaMode MASK and BLEND).
 struct Hit {
   uvec4 words;
 };

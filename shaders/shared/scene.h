@@ -25,6 +25,15 @@ struct StoredTriangle {
   uint sheer;  ///< number of its Sheer record, where triangle_sheer is set
 };
 
+/// How much of a stored triangle is there (alphaMode MASK and BLEND), of its corners as they are stored.
+struct Sheer {
+  vec2 uv[3];    ///< of the base colour's texture, after its transform
+  vec3 alpha;    ///< of the vertices' colours, times the material's factor
+  float cutoff;  ///< MASK: what is less is not there; negative: BLEND
+  uint texture;  ///< number of the texture; none: alpha is the corners' alone
+  uint through;  ///< BLEND: what the part that is there lets through to a shadow ray: RGB, 10 bits each
+};
+
 /// One corner of a stored triangle, object space.
 struct Vertex {
   vec3 normal;   ///< unit; zero where the file has none (flat shading)
@@ -171,6 +180,7 @@ struct Lobes {
 CRSH_CONST uint surface_lobe_words = 7u;
 /// Specialisation constant of the kernels that keep or read these: whether the scene has any material with lobes.
 CRSH_CONST uint constant_has_lobes = 20u;
+CRSH_CONST uint constant_sheer_pages = 19u;  ///< of kernels that ask for alpha (lib/sheer.glsl)
 
 CRSH_CONST uint light_point = 0u;
 CRSH_CONST uint light_spot = 1u;

@@ -30,9 +30,10 @@ void main() {
   uint parent = first_parent + slot_of[first_ray + i] % slots;
   vec4 weight = weights[parent];
   uvec4 hit = hits[first_ray + i].words;
-  if (weight.w <= 0.0 || hit.y == none) return;
-  vec3 absorption = lobes_at(uint(weight.w) - 1u).attenuation.rgb;
+  float medium = floor(weight.w);
+  if (medium <= 0.0 || hit.y == none) return;
+  vec3 absorption = lobes_at(uint(medium) - 1u).attenuation.rgb;
   weights[parent].rgb = weight.rgb * exp(-absorption * uintBitsToFloat(hit.x));
   uint word = first_lobe_word(first_out + i) + lobe_word_of_medium;
-  if (surface_lobes[word].w == 0.0) surface_lobes[word].w = weight.w;
+  if (surface_lobes[word].w == 0.0) surface_lobes[word].w = medium;
 }

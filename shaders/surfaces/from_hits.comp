@@ -17,13 +17,14 @@ layout(push_constant, scalar) uniform Push {
   uint first_out;
   uint turn;          // which closest-hit kind it is
   float cone_spread;  // how much wider a pixel's cone gets in a metre
+  uint sheets;        // 0: nothing shows behind what alphaMode BLEND leaves half there: it is drawn whole
 };
 layout(binding = 0, scalar) readonly buffer Rays { Ray rays[]; };
 layout(binding = 1, scalar) readonly buffer Slots { uint slot_of[]; };
 layout(binding = 2, scalar) readonly buffer Hits { Hit hits[]; };
 layout(binding = 3, scalar) readonly buffer ParentDiffuses { vec4 parent_diffuse[]; };
 layout(binding = 4, scalar) readonly buffer ParentSpeculars { vec4 parent_specular[]; };
-layout(binding = 5, scalar) readonly buffer ParentFootprints { float parent_footprint[]; };
+layout(binding = 5, scalar) readonly buffer ParentFootprints { vec2 parent_footprint[]; };
 #include "scene/lobes.glsl"
 #define SURFACES_BINDING 6
 #include "surfaces/surfaces.glsl"
@@ -40,7 +41,7 @@ void main() {
     store_nothing(first_out + i, ray.direction.xyz, pixel, path);
     return;
   }
-  float footprint = parent_footprint[parent] + cone_spread * uintBitsToFloat(hits[first_ray + i].words.x);
+  float footprint = parent_footprint[parent].x + cone_spread * uintBitsToFloat(hits[first_ray + i].words.x);
   Corners at = corners_at(triangle);
   vec3 weights = barycentrics(ray.origin.xyz, ray.direction.xyz, at.a, at.b, at.c);
   Point point = Point(triangle, point_at(weights, at.a, at.b, at.c), weights, front_normal(at.a, at.b, at.c),
@@ -48,6 +49,7 @@ void main() {
   Material material = material_of(triangle);
   Attributes attributes = attributes_at(triangle, weights);
   Surface found = surface_of(material, attributes, point, ray.direction.xyz);
+  if (sheets == 1u) found.alpha = abs(coverage_at(triangle, weights));
   if (has_lobes) store_lobes(first_out + i, lobes_of(material, attributes, point, ray.direction.xyz, found));
   store_surface(first_out + i, triangle, found, ray.direction.xyz, pixel, path,
                 dielectric_share(material, found.metallic), footprint);

@@ -18,6 +18,7 @@ layout(push_constant, scalar) uniform Push {
   uint count;
   float cone_spread;  // how much wider a pixel's cone gets in a metre
   float cone_width;   // and how wide it is at the eye, metres
+  uint sheets;        // 0: nothing shows behind what alphaMode BLEND leaves half there: it is drawn whole
 };
 layout(binding = 0, rgba32f) readonly uniform image2D positions;
 layout(binding = 1, rgba32f) readonly uniform image2D normals;
@@ -76,14 +77,18 @@ void main() {
   found.normal = normal.xyz;
   found.diffuse = diffuse.rgb;
   found.metallic = diffuse.w;
-  found.specular = imageLoad(speculars, at).rgb;
+  vec4 specular = imageLoad(speculars, at);
+  found.specular = specular.rgb;
+  found.alpha = sheets == 1u ? specular.w : 1.0;
   found.roughness = position.w;
   found.transmission = normal.w;
   float footprint = cone_width + cone_spread * length(position.xyz - eye);
   complete(found, id - 1u, material, incoming, footprint);
-  if (has_lobes && material.lobes != none)
+  if (has_lobes && material.lobes != none) {
+    float alpha = found.alpha;
     found = lobed_surface(i, id - 1u, material, position.xyz, incoming, footprint);
-  else if (has_lobes)
+    found.alpha = alpha;
+  } else if (has_lobes)
     store_lobes(i, no_lobes(found.normal, dielectric_share(material, found.metallic), found.metallic));
   store_surface(i, id - 1u, found, incoming, number, 1u, dielectric_share(material, found.metallic), footprint);
 }

@@ -10,7 +10,7 @@ layout(binding = SURFACES_BINDING + 3, scalar) writeonly buffer Incomings { vec4
 layout(binding = SURFACES_BINDING + 4, scalar) writeonly buffer Diffuses { vec4 out_diffuse[]; };
 layout(binding = SURFACES_BINDING + 5, scalar) writeonly buffer Speculars { vec4 out_specular[]; };
 layout(binding = SURFACES_BINDING + 6, scalar) writeonly buffer Emissions { vec4 out_emission[]; };
-layout(binding = SURFACES_BINDING + 7, scalar) writeonly buffer Footprints { float out_footprint[]; };
+layout(binding = SURFACES_BINDING + 7, scalar) writeonly buffer Footprints { vec2 out_footprint[]; };
 layout(binding = SURFACES_BINDING + 8, scalar) writeonly buffer SurfaceLobesOut { vec4 out_lobes[]; };
 
 void store_lobes(uint i, SurfaceLobes lobes) {
@@ -26,8 +26,8 @@ void store_surface(uint i, uint triangle, Surface found, vec3 incoming, uint pix
   out_incoming[i] = vec4(incoming, found.eta);
   out_diffuse[i] = vec4(found.diffuse, uintBitsToFloat(pixel));
   out_specular[i] = vec4(found.specular, uintBitsToFloat(path));
-  out_emission[i] = vec4(found.emission, f0_share);
-  out_footprint[i] = footprint;
+  out_emission[i] = vec4(found.emission * found.alpha, f0_share);
+  out_footprint[i] = vec2(footprint, found.alpha);
 }
 
 /// Writes a surface for where nothing was met: no rays start there.
@@ -39,6 +39,6 @@ void store_nothing(uint i, vec3 incoming, uint pixel, uint path) {
   out_diffuse[i] = vec4(vec3(0.0), uintBitsToFloat(pixel));
   out_specular[i] = vec4(vec3(0.0), uintBitsToFloat(path));
   out_emission[i] = vec4(vec3(0.0), -1.0);
-  out_footprint[i] = 0.0;
+  out_footprint[i] = vec2(0.0, 1.0);
   if (has_lobes) store_lobes(i, no_lobes(vec3(0.0, 0.0, 1.0), 0.0, 0.0));
 }

@@ -19,6 +19,7 @@ struct RayKind {
   bool at_first_bounce = false;     ///< cast only from what the camera sees (k = 0)
   bool adds_light = true;           ///< to the picture; else it shows in a layer of its own only
   bool mirrors_everything = false;  ///< where --override-mirror is given
+  bool goes_through = false;        ///< shows what lies behind a surface that is not wholly there
   uint32_t turn = 0;                ///< of closest-hit kinds: shared::path_bits bits of a path
   std::string_view best_key;        ///< file below shaders/rays/keys/
 
@@ -43,6 +44,7 @@ inline constexpr PerKind<RayKind> ray_kinds = [] {
                    .at_first_bounce = has(ray_at_first_bounce),
                    .adds_light = !has(ray_adds_no_light),
                    .mirrors_everything = has(ray_override),
+                   .goes_through = has(ray_goes_through),
                    .turn = has(ray_any_hit) ? 0 : closest++,
                    .best_key = has(ray_shared_origin) ? "hilbert" : "interleaved"};
   };

@@ -29,6 +29,7 @@ struct RayStatistics {
   uint64_t mesh_tests = 0, box_tests = 0;
   std::vector<LevelStatistics> levels;  ///< the top level first
   uint64_t triangle_tests = 0;
+  uint64_t alpha_tests = 0;  ///< of triangles hit, how many were asked for their alpha (alphaMode MASK and BLEND)
   [[nodiscard]] uint64_t object_tests() const { return mesh_tests + box_tests; }
   [[nodiscard]] uint64_t paper_tests() const;  ///< Σ levels.tests + triangle_tests
   [[nodiscard]] uint64_t total_tests() const { return paper_tests() + object_tests(); }

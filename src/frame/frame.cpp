@@ -72,6 +72,14 @@ void add_visibilities(Renderer::State& s, const shading::DirectIn& direct) {
       shading::add_visibility(s.recorder, direct, source.kind, s.film.of(layer));
 }
 
+/// Whether what lies behind the surfaces of a generation shows.
+bool sees_through(const Renderer::State& s, uint32_t generation) {
+  const PerKind<bool> cast = rays::kinds_at(s.options, generation);
+  for (uint32_t kind = 0; kind < kind_count; ++kind)
+    if (cast[kind] && ray_kinds[kind].goes_through) return true;
+  return false;
+}
+
 /// Steps 3 to 7 of one bounce: traces all rays of generation k, shades, and yields generation k + 1.
 void trace_bounce(Renderer::State& s, uint32_t bounce) {
   surfaces::Surfaces& surfaces = s.paths.surfaces(bounce);
@@ -99,7 +107,7 @@ void trace_bounce(Renderer::State& s, uint32_t bounce) {
                         s.gpu_scene.has_lobes);
     surfaces::from_hits(s.recorder,
                         {s.gpu_scene, batch.rays, batch.slots, s.batch.tracing.hits, children, surfaces,
-                         generation.weights, s.cone_spread},
+                         generation.weights, s.cone_spread, sees_through(s, bounce + 1)},
                         next, s.paths.generations[bounce + 1]);
     generation.children.push_back(std::move(children));
   }
@@ -148,7 +156,7 @@ void render_sample(Renderer::State& s, const raster::CameraView& view, const Ren
     s.recorder.stage(Stage::shading);
     surfaces::from_raster(s.recorder,
                           {s.gbuffer, s.gpu_scene, view, s.size, s.options.algorithm.ray_order, first,
-                           std::min(s.portion, pixels - first)},
+                           std::min(s.portion, pixels - first), sees_through(s, 0)},
                           s.paths.first, s.paths.generations[0]);
     trace_paths(s, progress, done, share);
     shading::add_sample(s.recorder, {s.paths.first, s.paths.generations[0], s.paths.gathered[0], s.gpu_scene, view},

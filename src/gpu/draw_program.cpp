@@ -59,9 +59,9 @@ struct FixedStates {
 
 }  // namespace
 
-DrawProgram::DrawProgram(Device& device, std::string_view path, std::span<const Format> colours, Format depth)
+DrawProgram::DrawProgram(Device& device, const Kernel& kernel, std::span<const Format> colours, Format depth)
     : device_(device),
-      name_(path),
+      name_(kernel.path),
       reflection_(reflect_both(name_)),
       layout_(device, reflection_, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT) {
   const PipelineTimer timer(device);
@@ -73,7 +73,9 @@ DrawProgram::DrawProgram(Device& device, std::string_view path, std::span<const 
   rendering.depthAttachmentFormat = vulkan_format(depth);
 
   const ShaderModule vertex(device, name_ + ".vert"), fragment(device, name_ + ".frag");
-  const std::array stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT), fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT)};
+  const Constants constants(device, kernel);
+  std::array stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT), fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT)};
+  for (VkPipelineShaderStageCreateInfo& stage : stages) stage.pSpecializationInfo = constants.info();
   const FixedStates states(colours.size());
   VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
   info.pNext = &rendering;

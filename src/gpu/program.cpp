@@ -69,6 +69,16 @@ PipelineLayout::~PipelineLayout() {
   vkDestroyDescriptorSetLayout(device_.handle(), tables_, nullptr);
 }
 
+Constants::Constants(const Device& device, const Kernel& kernel) {
+  const auto add = [this](uint32_t id, uint32_t value) {
+    entries_.push_back({id, static_cast<uint32_t>(values_.size() * sizeof(uint32_t)), sizeof(uint32_t)});
+    values_.push_back(value);
+  };
+  for (const auto& [id, value] : kernel.constants) add(id, value);
+  add(reconvergence_constant, device.reconverges());
+  info_ = {static_cast<uint32_t>(entries_.size()), entries_.data(), values_.size() * sizeof(uint32_t), values_.data()};
+}
+
 PipelineTimer::~PipelineTimer() {
   device_.add_pipeline_milliseconds(
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count());
@@ -81,20 +91,11 @@ Program::Program(Device& device, const Kernel& kernel)
       group_size_(count_group(kernel, reflection_)),
       layout_(device, reflection_, VK_SHADER_STAGE_COMPUTE_BIT) {
   const PipelineTimer timer(device);
-  std::vector<VkSpecializationMapEntry> entries;
-  std::vector<uint32_t> values;
-  const auto add = [&](uint32_t id, uint32_t value) {
-    entries.push_back({id, static_cast<uint32_t>(values.size() * sizeof(uint32_t)), sizeof(uint32_t)});
-    values.push_back(value);
-  };
-  for (const auto& [id, value] : kernel.constants) add(id, value);
-  add(reconvergence_constant, device.reconverges());
-  const VkSpecializationInfo constants{static_cast<uint32_t>(entries.size()), entries.data(),
-                                       values.size() * sizeof(uint32_t), values.data()};
+  const Constants constants(device, kernel);
   const ShaderModule module(device, kernel.path + ".comp");
   VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT);
-  info.stage.pSpecializationInfo = &constants;
+  info.stage.pSpecializationInfo = constants.info();
   if (reflection_.tells_lanes_apart && group_edge(kernel, reflection_, 0) % device.info().subgroup_size == 0)
     info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
   info.layout = layout_.handle();

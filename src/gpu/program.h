@@ -61,6 +61,20 @@ class PipelineTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// A kernel's specialisation constants as Vulkan takes them. It must stay where it is while it is used.
+class Constants {
+ public:
+  Constants(const Device& device, const Kernel& kernel);
+  Constants(const Constants&) = delete;
+  Constants& operator=(const Constants&) = delete;
+  [[nodiscard]] const VkSpecializationInfo* info() const { return &info_; }
+
+ private:
+  std::vector<VkSpecializationMapEntry> entries_;
+  std::vector<uint32_t> values_;
+  VkSpecializationInfo info_{};
+};
+
 /// Whether something is used for the first time.
 class FirstUse {
  public:
@@ -99,10 +113,10 @@ class Program {
 
 /// A graphics pipeline of "path.vert" and "path.frag" (vertex pulling: no vertex input; triangle list; no face culling;
 /// depth test GREATER with write: depth is reversed, cleared to 0). Vertex and fragment shader share sets and push
-/// block.
+/// block, and specialisation constants.
 class DrawProgram {
  public:
-  DrawProgram(Device& device, std::string_view path, std::span<const Format> colours, Format depth = Format::depth32f);
+  DrawProgram(Device& device, const Kernel& kernel, std::span<const Format> colours, Format depth = Format::depth32f);
   ~DrawProgram();
   DrawProgram(const DrawProgram&) = delete;
   DrawProgram& operator=(const DrawProgram&) = delete;

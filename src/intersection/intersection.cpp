@@ -25,9 +25,11 @@ void intersect(gpu::Recorder& recorder, const In& in, const hierarchy::Hierarchy
          candidates.pairs_before,
          in.counter_row + shared::counter_triangle_tests,
          in.account.first(shared::tests_triangle, 0)};
-  recorder.dispatch(in.account.kernel(std::string("intersection/candidates") + recorder.device().lane_variant()),
+  recorder.dispatch(in.account.kernel(std::string("intersection/candidates") + recorder.device().lane_variant(),
+                                      in.scene.sheer_constants()),
                     uint64_t(push.node_count) * push.max_rays, push,
-                    {{"corner_a", in.scene.corner_a},
+                    {in.scene.sheer_tables,
+                     {"corner_a", in.scene.corner_a},
                      {"corner_b", in.scene.corner_b},
                      {"corner_c", in.scene.corner_c},
                      {"materials", in.scene.materials},
@@ -61,9 +63,11 @@ void intersect_all(gpu::Recorder& recorder, const In& in, const rays::Segment& s
              std::min(loop, triangles - first),
              in.counter_row + shared::counter_triangle_tests,
              in.account.first(shared::tests_triangle, 0)};
-      recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lane_variant()),
+      recorder.dispatch(in.account.kernel(std::string("intersection/brute") + recorder.device().lane_variant(),
+                                          in.scene.sheer_constants()),
                         push.ray_count, push,
-                        {{"corner_a", in.scene.corner_a},
+                        {in.scene.sheer_tables,
+                         {"corner_a", in.scene.corner_a},
                          {"corner_b", in.scene.corner_b},
                          {"corner_c", in.scene.corner_c},
                          {"materials", in.scene.materials},
@@ -81,7 +85,8 @@ void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment,
   constexpr uint32_t rays_a_lane = 8;
   const uint32_t lanes = (segment.count + rays_a_lane - 1) / rays_a_lane;
   const struct {
-    uint32_t first_ray, ray_count, lanes, surfaces, first_surface, kind, light, hits_counter, digest_counter;
+    uint32_t first_ray, ray_count, lanes, surfaces, first_surface, kind, light, hits_counter, digest_counter,
+        alpha_counter;
   } push{segment.first,
          segment.count,
          lanes,
@@ -90,7 +95,8 @@ void digest(gpu::Recorder& recorder, const In& in, const rays::Segment& segment,
          segment.kind,
          segment.light,
          in.counter_row + shared::counter_ray_hits,
-         in.counter_row + shared::counter_digest};
+         in.counter_row + shared::counter_digest,
+         in.counter_row + shared::counter_alpha_tests};
   recorder.dispatch("intersection/digest", lanes, push,
                     {{"slots", in.batch.slots},
                      {"hits", in.hits},

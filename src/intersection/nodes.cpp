@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 #include "gpu/clusters.h"
 
@@ -66,7 +67,8 @@ class Nodes {
            t.account.first(shared::tests_node, 1),
            t.account.first(shared::tests_triangle, 0)};
     recorder_.dispatch(kernel(), uint64_t(clusters) * cluster(), push,
-                       {{"corner_a", in_.objects.leaf_a},
+                       {t.scene.sheer_tables,
+                        {"corner_a", in_.objects.leaf_a},
                         {"corner_b", in_.objects.leaf_b},
                         {"corner_c", in_.objects.leaf_c},
                         {"materials", t.scene.materials},
@@ -103,6 +105,7 @@ class Nodes {
     const std::string variant = cluster() == 1 ? "-no-shuffle" : "";
     std::vector<std::pair<uint32_t, uint32_t>> constants = hierarchy::test_constants(in_.traversal.options);
     constants.emplace_back(0, in_.traversal.drop_every);
+    std::ranges::copy(in_.traversal.scene.sheer_constants(), std::back_inserter(constants));
     const uint32_t lanes = cluster(), arity = in_.traversal.options.arity;
     if (lanes > 1) constants.insert(constants.end(), {{2, lanes}, {3, (arity + lanes - 1) / lanes}});
     return in_.traversal.account.kernel("intersection/node_walk" + variant + "@" + in_.traversal.options.bound,

@@ -16,8 +16,11 @@ void query(gpu::Recorder& recorder, const In& in, const objects::DeviceHierarchy
       uint32_t first;
       uint32_t end;
     } push{segment.first + done, segment.first + done + count};
-    recorder.dispatch({"intersection/ray_query", {{0, plain}}}, count, push,
-                      {{"scene", *objects.structure},
+    std::vector<std::pair<uint32_t, uint32_t>> constants = in.scene.sheer_constants();
+    constants.emplace_back(0, plain && constants.empty());
+    recorder.dispatch({"intersection/ray_query", constants}, count, push,
+                      {in.scene.sheer_tables,
+                       {"scene", *objects.structure},
                        {"rays", in.batch.rays},
                        {"hits", in.hits},
                        {"corner_a", in.scene.corner_a},

@@ -59,7 +59,8 @@ class SingleRays {
 
   /// These and what every walk reads and counts: the object hierarchy, its triangles, the rays and their hits.
   [[nodiscard]] std::vector<gpu::Argument> with_scene(std::vector<gpu::Argument> arguments) const {
-    const gpu::Argument common[] = {{"corner_a", objects_.leaf_a},
+    const gpu::Argument common[] = {in_.scene.sheer_tables,
+                                    {"corner_a", objects_.leaf_a},
                                     {"corner_b", objects_.leaf_b},
                                     {"corner_c", objects_.leaf_c},
                                     {"materials", in_.scene.materials},
@@ -86,7 +87,7 @@ class SingleRays {
       Push push;
       uint32_t listed;
     } push{push_of(first, first + count), list != nullptr};
-    recorder_.dispatch(in_.account.kernel("intersection/single"), count, push,
+    recorder_.dispatch(in_.account.kernel("intersection/single", in_.scene.sheer_constants()), count, push,
                        with_scene({{"unfinished", unfinished}, {"list", list ? *list : in_.counters}}),
                        count * usual_tests);
     recorder_.submit_past(in_.submit_work);
@@ -106,7 +107,8 @@ class SingleRays {
     recorder_.fill(scratch_.states, 0, 2 * uint64_t(count));
     do {
       recorder_.fill(scratch_.walking, 0, 1);
-      recorder_.dispatch(in_.account.kernel("intersection/single_resume"), count, push_of(first, count),
+      recorder_.dispatch(in_.account.kernel("intersection/single_resume", in_.scene.sheer_constants()), count,
+                         push_of(first, count),
                          with_scene({{"list", list},
                                      {"walking", scratch_.walking},
                                      {"states", scratch_.states},

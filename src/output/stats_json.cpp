@@ -69,6 +69,7 @@ Json rays_json(const RayStatistics& rays) {
           {"object_tests", rays.object_tests()},
           {"levels", std::move(levels)},
           {"triangle_tests", rays.triangle_tests},
+          {"alpha_tests", rays.alpha_tests},
           {"paper_tests", rays.paper_tests()},
           {"total_tests", rays.total_tests()}};
 }

@@ -50,12 +50,13 @@ void require_size(const gpu::Device& device, ImageSize size) {
         Mend::smaller_image);
 }
 
-void prepare(gpu::Recorder& recorder, ImageSize size, GBuffer& out) {
+void prepare(gpu::Recorder& recorder, const scene::GpuScene& scene, ImageSize size, GBuffer& out) {
   using gpu::Format;
   gpu::Device& device = recorder.device();
   if (!out.program) {
     constexpr std::array formats = {Format::rgba32f, Format::rgba32f, Format::rgba32f, Format::rgba32f, Format::r32u};
-    out.program = std::make_unique<gpu::DrawProgram>(device, "raster/surface", formats);
+    out.program =
+        std::make_unique<gpu::DrawProgram>(device, gpu::Kernel("raster/surface", scene.sheer_constants()), formats);
   }
   if (out.depth.width() == size.width && out.depth.height() == size.height) return;
   require_size(device, size);
@@ -75,7 +76,7 @@ void prepare(gpu::Recorder& recorder, ImageSize size, GBuffer& out) {
 
 void rasterise(gpu::Recorder& recorder, const In& in, GBuffer& out) {
   recorder.submit();  // Mesa 25's lavapipe crashes where a draw follows dispatches in one command buffer
-  prepare(recorder, in.size, out);
+  prepare(recorder, in.scene, in.size, out);
   const scene::GpuScene& s = in.scene;
   const std::array<const gpu::Image*, 5> colours = {&out.position, &out.normal, &out.diffuse, &out.specular,
                                                     &out.triangle};

@@ -18,7 +18,7 @@ struct GBuffer {
   gpu::Image position;  ///< xyz: world position; w: roughness
   gpu::Image normal;    ///< xyz: shading normal, on the eye's side; w: transmission
   gpu::Image diffuse;   ///< rgb: base colour less metal; w: metallic
-  gpu::Image specular;  ///< rgb: F0
+  gpu::Image specular;  ///< rgb: F0; w: how much of it is there (alphaMode BLEND)
   gpu::Image triangle;  ///< the drawn triangle's number from 1 on; 0: nothing
   gpu::Image depth;     ///< reversed: near is large
   std::unique_ptr<gpu::DrawProgram> program;

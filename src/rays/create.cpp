@@ -68,6 +68,7 @@ void create_run(gpu::Recorder& recorder, const CreateIn& in, const KindRun& run,
   if (weights) {
     primitives::grow(recorder, *weights, in.surfaces.count * uint64_t(sizeof(glm::vec4)), "ray weights");
     arguments.push_back({"weights", *weights});
+    arguments.push_back({"footprints", in.surfaces.footprint});
   }
   const Push push = push_of(in, run);
   recorder.dispatch(in.scene.with_lobes(std::string(ray_kinds[run.kind].creation)), push.count, push, arguments);

@@ -31,7 +31,8 @@ void add_direct(gpu::Recorder& recorder, const DirectIn& in, surfaces::Generatio
                        {"ends", in.ends},
                        {"hits", in.hits},
                        {"direct", generation.direct},
-                       {"surface_lobes", s.lobes}},
+                       {"surface_lobes", s.lobes},
+                       {"footprints", s.footprint}},
                       uint64_t(plan.surfaces) * run.segments);
   }
 }

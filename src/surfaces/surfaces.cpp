@@ -15,12 +15,14 @@ struct RasterPush {
   glm::uvec2 size;
   uint32_t first, count;
   float cone_spread, cone_width;
+  uint32_t sheets;
 };
 
 /// As surfaces/from_hits.comp declares it.
 struct HitsPush {
   uint32_t first_ray, count, slots, first_parent, first_out, turn;
   float cone_spread;
+  uint32_t sheets;
 };
 
 constexpr uint64_t word_bytes = sizeof(glm::vec4);
@@ -61,8 +63,8 @@ void add_hits(gpu::Recorder& recorder, const FromHitsIn& in, uint32_t kind, cons
   const Children& children = in.children;
   const ChildRun& run = children.of_kind[kind];
   clear_direct(recorder, generation, run.first_child, run.count);
-  const HitsPush push{run.first_ray,        run.count,     children.surfaces, children.first_surface, run.first_child,
-                      ray_kinds[kind].turn, in.cone_spread};
+  const HitsPush push{run.first_ray,        run.count,      children.surfaces, children.first_surface, run.first_child,
+                      ray_kinds[kind].turn, in.cone_spread, in.sheets};
   recorder.dispatch(in.scene.with_lobes("surfaces/from_hits"), push.count, push,
                     with_outputs({in.scene.tables,
                                   {"rays", in.rays},
@@ -85,7 +87,7 @@ void reserve(gpu::Recorder& recorder, Surfaces& surfaces, Generation& generation
   primitives::grow(recorder, surfaces.incoming, bytes, "incoming directions");
   primitives::grow(recorder, surfaces.diffuse, bytes, "diffuse properties");
   primitives::grow(recorder, surfaces.specular, bytes, "specular properties");
-  primitives::grow(recorder, surfaces.footprint, count * uint64_t(sizeof(float)), "footprints");
+  primitives::grow(recorder, surfaces.footprint, count * uint64_t(sizeof(glm::vec2)), "footprints");
   primitives::grow(recorder, surfaces.lobes, lobes ? bytes * shared::surface_lobe_words : word_bytes, "surface lobes");
   primitives::grow(recorder, generation.emission, bytes, "emission");
   primitives::grow(recorder, generation.direct, bytes, "direct light");
@@ -105,7 +107,8 @@ void from_raster(gpu::Recorder& recorder, const FromRasterIn& in, Surfaces& surf
                         in.first,
                         in.count,
                         cone.spread,
-                        cone.width};
+                        cone.width,
+                        in.sheets};
   const raster::GBuffer& g = in.gbuffer;
   recorder.dispatch(in.scene.with_lobes("surfaces/from_raster"), in.count, push,
                     with_outputs({in.scene.tables,

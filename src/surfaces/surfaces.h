@@ -14,19 +14,21 @@
 
 namespace crsh::surfaces {
 
-/// Six buffers of vec4 and one of floats, one element a surface; the paper's position, normal, diffuse and specular,
-/// and what reflection and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel
-/// and path. Shaders bind them in this order.
+/// Six buffers of vec4 and one of vec2, one element a surface; the paper's position, normal, diffuse and specular, and
+/// what reflection and refraction need. Where nothing was met all is 0 but the triangle, the ray that came, pixel and
+/// path. Shaders bind them in this order.
 struct Surfaces {
   gpu::Buffer position;   ///< xyz: world position; w: bits of the drawn triangle's id, `none` where nothing was met
   gpu::Buffer normal;     ///< xyz: shading normal, unit, on the incoming ray's side; w: transmission, 0..1
   gpu::Buffer geometric;  ///< xyz: geometric normal, unit, turned to the incoming ray; w: roughness
   /// xyz: unit direction of the ray that came; w: eta = n(this side) / n(other side), 1: no bend
   gpu::Buffer incoming;
-  gpu::Buffer diffuse;    ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
-  gpu::Buffer specular;   ///< rgb: F0; w: bits of the path: 1, then shared::path_bits a bounce: RayKind::turn
-  gpu::Buffer footprint;  ///< float: how wide the pixel's cone is there, across the ray that came, metres
-  gpu::Buffer lobes;      ///< vec4, shared::surface_lobe_words a surface, where the scene has any lobes; else one
+  gpu::Buffer diffuse;   ///< rgb: base colour less metal, transmission included; w: bits of the pixel, row-major
+  gpu::Buffer specular;  ///< rgb: F0; w: bits of the path: 1, then shared::path_bits a bounce: RayKind::turn
+  /// vec2: how wide the pixel's cone is there, across the ray that came, metres; how much of the surface is there
+  /// (alphaMode BLEND), 0..1
+  gpu::Buffer footprint;
+  gpu::Buffer lobes;  ///< vec4, shared::surface_lobe_words a surface, where the scene has any lobes; else one
   uint32_t count = 0;
 };
 
@@ -51,7 +53,8 @@ struct Children {
 struct Generation {
   gpu::Buffer emission;            ///< vec4: cd/m2; w: F0's part that is not base colour; -1 where nothing was met
   gpu::Buffer direct;              ///< vec4: light that shadow rays let through, cd/m2
-  PerKind<gpu::Buffer> weights;    ///< vec4: of what the kind's rays bring; of closest-hit kinds, where they are cast
+  PerKind<gpu::Buffer> weights;    ///< vec4: of what the kind's rays bring; of closest-hit kinds, where they are cast;
+                                   ///< w: of it, what passes by a surface that is not wholly there
   std::vector<Children> children;  ///< in order of surfaces
   uint32_t count = 0;
 };
@@ -67,6 +70,7 @@ struct FromRasterIn {
   raster::ImageSize size;
   RayOrder order = RayOrder::scanline;
   uint32_t first = 0, count = 0;  ///< pixels of that order: all, or a run of them
+  bool sheets = false;            ///< what lies behind surfaces that are half there shows; else these are drawn whole
 };
 
 /// Makes generation 0 of pixels, in the order in which these make rays.
@@ -81,6 +85,7 @@ struct FromHitsIn {
   const Surfaces& parents;
   PerKind<gpu::Buffer>& parent_weights;  ///< of the rays: solids take their part (Beer's law)
   float cone_spread = 0;                 ///< raster::PixelCone's
+  bool sheets = false;                   ///< as FromRasterIn has it
 };
 
 /// Generation k + 1: where the closest-hit rays of one batch hit. `surfaces` must have room (reserve) for

@@ -25,6 +25,7 @@ void Counters::add_to(gpu::Recorder& recorder, Statistics& statistics) const {
     row.mesh_tests += counter[shared::counter_mesh_tests];
     row.box_tests += counter[shared::counter_box_tests];
     row.triangle_tests += counter[shared::counter_triangle_tests];
+    row.alpha_tests += counter[shared::counter_alpha_tests];
     row.hits += counter[shared::counter_ray_hits];
     row.hits_digest += counter[shared::counter_digest];
     for (LevelStatistics& level : row.levels) {

@@ -7,6 +7,7 @@
 #include "crsh/error.h"
 #include "scene/deform.h"
 #include "scene/device/device_materials.h"
+#include "scene/device/sheers.h"
 #include "scene/device/storage.h"
 #include "scene/packed.h"
 #include "shared/limits.h"
@@ -76,16 +77,20 @@ shared::Vertex device_vertex(const Mesh& mesh, size_t v) {
           {uv_of(mesh, 0, v), uv_of(mesh, 1, v), uv_of(mesh, 2, v)}};
 }
 
-void upload_meshes(gpu::Device& device, const Scene& scene, const Storage& storage, GpuScene& out) {
+void upload_meshes(gpu::Device& device, const Scene& scene, const Storage& storage, const Sheers& sheers,
+                   GpuScene& out) {
   std::vector<glm::vec3> positions;
   std::vector<shared::Vertex> vertices;
   std::vector<shared::StoredTriangle> triangles;
   for (const StoredMesh& stored : storage.meshes) {
     const Mesh& mesh = scene.meshes[stored.mesh];
     const glm::uvec3 base(stored.first_vertex);
-    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const uint32_t sheer = sheers.of_stored[triangles.size()];
+      const uint32_t flag = sheer == shared::none ? 0 : shared::triangle_sheer;
       triangles.push_back(
-          {mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]), uv_metrics(mesh, t), 0});
+          {mesh.triangles[t] + base, flagged_material(scene, mesh.materials[t]) | flag, uv_metrics(mesh, t), sheer});
+    }
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (size_t v = 0; v < mesh.positions.size(); ++v) vertices.push_back(device_vertex(mesh, v));
   }
@@ -113,9 +118,29 @@ void upload_instances(gpu::Device& device, const Scene& scene, const Storage& st
   out.blocks = gpu::upload(device, blocks, "triangle blocks");
 }
 
-void upload_materials(gpu::Device& device, const Scene& scene, GpuScene& out) {
+/// After the instances, whose triangles it numbers.
+void upload_sheers(gpu::Device& device, const Scene& scene, const Storage& storage, const Sheers& sheers,
+                   GpuScene& out) {
+  require_texels(device, scene, sheers.records.size(), sizeof(shared::Sheer) / 16, "triangles with alpha");
+  std::vector<uint32_t> numbers;
+  for (size_t i = 0; i < scene.instances.size() && sheers.pages; ++i) {
+    const StoredMesh& stored = storage.meshes[storage.of_instance[i]];
+    for (size_t t = 0; t < scene.meshes[stored.mesh].triangles.size(); ++t) {
+      const uint32_t number = sheers.of_stored[stored.first_triangle + t];
+      numbers.push_back(number == shared::none ? 0 : number);
+    }
+  }
+  out.sheers = gpu::upload(device, sheers.records, "triangles with alpha");
+  out.sheer_numbers = gpu::upload(device, numbers, "numbers of triangles with alpha");
+  out.sheer_pages = sheers.pages;
+}
+
+DeviceMaterials materials_for(const gpu::Device& device, const Scene& scene) {
   const gpu::Limits& limits = device.limits();
-  DeviceMaterials all = device_materials(scene, std::min(limits.max_binding / sizeof(uint32_t), limits.max_texels));
+  return device_materials(scene, std::min(limits.max_binding / sizeof(uint32_t), limits.max_texels));
+}
+
+void upload_materials(gpu::Device& device, const Scene& scene, DeviceMaterials& all, GpuScene& out) {
   require_texels(device, scene, all.textures.size(), 1, "textures");
   require_texels(device, scene, all.materials.size(), 6, "materials");
   out.materials = gpu::upload(device, all.materials, "materials");
@@ -144,7 +169,7 @@ void reserve_moved(gpu::Device& device, GpuScene& out) {
 /// In the order of shaders/scene/tables.glsl. After all its buffers have been made.
 gpu::BufferSet tables_of(gpu::Device& device, const GpuScene& scene) {
   using enum gpu::ReadAs;
-  const std::array<gpu::BufferSet::Member, 10 + texel_page_count> members = {{
+  const std::array<gpu::BufferSet::Member, 11 + texel_page_count> members = {{
       {"corner_a", scene.corner_a, texels_rgba32u},
       {"corner_b", scene.corner_b, texels_rgba32u},
       {"corner_c", scene.corner_c, texels_rgba32u},
@@ -155,6 +180,22 @@ gpu::BufferSet tables_of(gpu::Device& device, const GpuScene& scene) {
       {"textures", scene.textures, texels_rgba32u},
       {"texture_uses", scene.texture_uses, texels_rgba32u},
       {"lobes", scene.lobes, texels_rgba32u},
+      {"texels0", scene.texels[0], texels_r32u},
+      {"texels1", scene.texels[1], texels_r32u},
+      {"texels2", scene.texels[2], texels_r32u},
+      {"texels3", scene.texels[3], texels_r32u},
+      {"sheers", scene.sheers, texels_rgba32u},
+  }};
+  return {device, members};
+}
+
+/// In the order of shaders/intersection/sheer_tables.glsl.
+gpu::BufferSet sheer_tables_of(gpu::Device& device, const GpuScene& scene) {
+  using enum gpu::ReadAs;
+  const std::array<gpu::BufferSet::Member, 3 + texel_page_count> members = {{
+      {"sheer_numbers", scene.sheer_numbers, texels_r32u},
+      {"sheers", scene.sheers, texels_rgba32u},
+      {"textures", scene.textures, texels_rgba32u},
       {"texels0", scene.texels[0], texels_r32u},
       {"texels1", scene.texels[1], texels_r32u},
       {"texels2", scene.texels[2], texels_r32u},
@@ -244,16 +285,25 @@ void change_materials(gpu::Device& device, GpuScene& target, const Scene& scene,
 
 }  // namespace
 
+std::vector<std::pair<uint32_t, uint32_t>> GpuScene::sheer_constants() const {
+  if (sheer_pages == 0) return {};
+  return {{shared::constant_sheer_pages, sheer_pages}};
+}
+
 GpuScene upload(gpu::Device& device, const Scene& scene) {
   const Storage storage = storage_of(scene);
   require_bindings(device, scene, storage);
   GpuScene out;
-  upload_meshes(device, scene, storage, out);
+  DeviceMaterials materials = materials_for(device, scene);
+  const Sheers sheers = sheers_of(scene, storage, materials);
+  upload_meshes(device, scene, storage, sheers, out);
   upload_instances(device, scene, storage, out);
+  upload_sheers(device, scene, storage, sheers, out);
   out.posed = upload_posed(device, scene, storage);
-  upload_materials(device, scene, out);
+  upload_materials(device, scene, materials, out);
   reserve_moved(device, out);
   out.tables = tables_of(device, out);
+  out.sheer_tables = sheer_tables_of(device, out);
   return out;
 }
 

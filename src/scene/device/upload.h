@@ -22,14 +22,17 @@ namespace crsh::scene {
 /// stands for an empty list.
 struct GpuScene {
   // From upload().
-  gpu::Buffer positions;     ///< vec3 a stored vertex, object space, where it does not deform (scene/device/storage.h)
-  gpu::Buffer vertices;      ///< shared::Vertex a stored vertex, likewise
-  gpu::Buffer triangles;     ///< shared::StoredTriangle
-  gpu::Buffer sources;       ///< shared::Source a drawn triangle
-  gpu::Buffer materials;     ///< shared::Material
-  gpu::Buffer textures;      ///< shared::Texture
-  gpu::Buffer texture_uses;  ///< shared::TextureUse
-  gpu::Buffer lobes;         ///< shared::Lobes
+  gpu::Buffer positions;      ///< vec3 a stored vertex, object space, where it does not deform (device/storage.h)
+  gpu::Buffer vertices;       ///< shared::Vertex a stored vertex, likewise
+  gpu::Buffer triangles;      ///< shared::StoredTriangle
+  gpu::Buffer sources;        ///< shared::Source a drawn triangle
+  gpu::Buffer materials;      ///< shared::Material
+  gpu::Buffer textures;       ///< shared::Texture
+  gpu::Buffer texture_uses;   ///< shared::TextureUse
+  gpu::Buffer lobes;          ///< shared::Lobes
+  gpu::Buffer sheers;         ///< shared::Sheer
+  gpu::Buffer sheer_numbers;  ///< uint a drawn triangle: of its shared::Sheer; of any where it has none
+  uint32_t sheer_pages = 0;   ///< of texels, that triangles with alpha use; 0: there are none
   std::array<gpu::Buffer, texel_page_count> texels;  ///< RGBA8 a word
   gpu::Buffer blocks;           ///< uvec4: instance, first drawn triangle, count (<= shared::block_triangles), 0
   uint32_t triangle_count = 0;  ///< drawn
@@ -49,11 +52,16 @@ struct GpuScene {
   uint32_t light_count = 0;
   Bounds bounds;  ///< of all object spheres in this pose, of what deforms the bounds of its joints
 
-  gpu::BufferSet tables;  ///< what shading reads of all these, bound together: shaders/scene/tables.glsl
+  gpu::BufferSet tables;        ///< what shading reads of all these, bound together: shaders/scene/tables.glsl
+  gpu::BufferSet sheer_tables;  ///< what hits read: shaders/intersection/sheer_tables.glsl
 
+  /// Specialisation constants of kernels that ask for alpha (lib/sheer.glsl).
+  [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> sheer_constants() const;
   /// A kernel that keeps or reads the lobes of surfaces, compiled for this scene (shaders/lib/surface_lobes.glsl).
   [[nodiscard]] gpu::Kernel with_lobes(std::string path) const {
-    return {std::move(path), {{shared::constant_has_lobes, has_lobes}}};
+    gpu::Kernel kernel{std::move(path), sheer_constants()};
+    kernel.constants.emplace_back(shared::constant_has_lobes, has_lobes);
+    return kernel;
   }
 };
 
