@@ -32,6 +32,7 @@ void add(Statistics& sum, const Statistics& frame) {
     to.mesh_tests += from.mesh_tests;
     to.box_tests += from.box_tests;
     to.triangle_tests += from.triangle_tests;
+    to.alpha_tests += from.alpha_tests;
     if (to.levels.size() < from.levels.size()) to.levels.resize(from.levels.size());
     for (size_t l = 0; l < from.levels.size(); ++l) {
       LevelStatistics& level = to.levels[l];
