@@ -59,7 +59,8 @@ std::vector<Trial> trials(uint32_t seed, uint32_t count) {
       uint32_t first_ray, ray_count, first_triangle, triangle_count, counter, first_account;
     } push{0, rays_a_triangle, i, 1, 0, 0};
     recorder.dispatch("intersection/brute", rays_a_triangle, push,
-                      {{"corner_a", scene.corner_a},
+                      {scene.sheer_tables,
+                       {"corner_a", scene.corner_a},
                        {"corner_b", scene.corner_b},
                        {"corner_c", scene.corner_c},
                        {"materials", scene.materials},
