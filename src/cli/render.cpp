@@ -72,7 +72,7 @@ void write_picture(Run& run, const Picture& picture, const output::PathPattern& 
   const std::string path = pattern.at(task.number);
   if (pattern.format() == output::Format::exr) {
     run.clamped += output::write_exr(path, picture, picture_layers(run.command.options.layers),
-                                     attributes_of(run.command, task.seconds));
+                                     attributes_of(run.command, task.seconds), run.command.ids);
     run.exr_pixels += uint64_t(picture.width) * picture.height;
   } else {
     const Layer& beauty = *picture.find("");

@@ -124,6 +124,8 @@ OptionGroup output_options(RenderCommand& command) {
   return {
       "Output",
       {output_row(command.outputs), exposure_row(command.exposure), layers_option(command.options.layers),
+       not_effective(choice("--ids", "float|uint", "Type of Object.id and Material.id in an EXR; float: exact to 2^24.",
+                            command.ids, {"float", "uint"})),
        not_effective(text("--stats", "FILE|-", "Write counters and times of the run as JSON.", command.stats)),
        not_effective(text("--dump-rays", "FILE.npz",
                           "Write every ray with its key, sorted place and hit as arrays of NumPy's. Needs no -o.",

@@ -36,6 +36,7 @@ struct RenderCommand {
   std::vector<output::PathPattern> outputs;
   std::string stats;                     ///< path, "-" or empty
   std::string dump_rays, replay_rays;    ///< paths or empty
+  output::Ids ids = output::Ids::real;   ///< how an EXR has numbers of objects and materials
   std::optional<float> exposure = 0.0f;  ///< stops; none: automatic
   std::optional<float> seconds;          ///< --time
   std::optional<FrameRange> frames;

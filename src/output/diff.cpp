@@ -13,10 +13,16 @@
 namespace crsh::output {
 namespace {
 
+/// Whether the channel has numbers of things, which are the same or not: written as float or as uint.
+bool has_ids(const Channel& channel) { return channel.sample == Sample::id || channel.name.ends_with(".id"); }
+
+/// Of the same type, or both of whole numbers.
+bool comparable_bits(const Channel& a, const Channel& b) { return a.sample == b.sample || (has_ids(a) && has_ids(b)); }
+
 double difference(const Channel& a, const Channel& b, size_t pixel, Format format) {
   const double x = a.value(pixel), y = b.value(pixel);
   if (x == y || (std::isnan(x) && std::isnan(y))) return 0;
-  if (a.sample == Sample::id || b.sample == Sample::id) return 1;
+  if (has_ids(a) || has_ids(b)) return 1;
   const double apart = std::abs(x - y);
   if (!std::isfinite(apart)) return std::numeric_limits<double>::infinity();
   return format == Format::png ? apart : apart / std::max({std::abs(x), std::abs(y), 0.01});
@@ -54,7 +60,7 @@ std::string find_mismatch(const Image& a, const Image& b, const std::vector<std:
   if (names_a != names_b)
     return fmt::format("channels differ: {} against {}", fmt::join(names_a, " "), fmt::join(names_b, " "));
   for (const std::string& name : names_a)
-    if (exact && a.find(name)->sample != b.find(name)->sample)
+    if (exact && !comparable_bits(*a.find(name), *b.find(name)))
       return fmt::format("channels differ: {} has another type", name);
   return {};
 }
@@ -72,7 +78,8 @@ struct Tally {
   void add(const std::string& name) {
     const Channel &x = *a.find(name), &y = *b.find(name);
     for (size_t pixel = 0; pixel < x.bits.size(); ++pixel) {
-      if (x.sample == y.sample && x.bits[pixel] == y.bits[pixel]) {
+      const bool same_numbers = x.sample != y.sample && has_ids(x) && has_ids(y) && x.value(pixel) == y.value(pixel);
+      if (same_numbers || (x.sample == y.sample && x.bits[pixel] == y.bits[pixel])) {
         ++finite;
         continue;
       }

@@ -29,9 +29,10 @@ namespace {
 constexpr float largest_half = 65504;
 
 /// The same sixteen floats: GLM stores columns, and Imath, which multiplies a row vector from the left, stores rows.
-Imath::M44f imath(const glm::mat4& matrix) {
+Imath::M44f imath(const glm::dmat4& matrix) {
+  const glm::mat4 rounded(matrix);
   Imath::M44f result;
-  std::memcpy(&result.x[0][0], &matrix[0][0], sizeof(result.x));
+  std::memcpy(&result.x[0][0], &rounded[0][0], sizeof(result.x));
   return result;
 }
 
@@ -50,15 +51,17 @@ half clamped_half(float value, uint64_t& clamped) {
   return half(std::isnan(value) ? value : std::clamp(value, -largest_half, largest_half));
 }
 
-/// The values of layers as half floats, kept until the file is written because the frame buffer points to them.
-struct HalfLayers {
+/// The values of layers as half floats, and whole numbers as floats, kept until the file is written because the frame buffer points to them.
+struct Converted {
   std::list<std::vector<half>> layers;
+  std::list<std::vector<float>> numbers;
   uint64_t clamped = 0;
   const half* add(const std::vector<float>& values) {
     std::vector<half>& halves = layers.emplace_back(values.size());
     std::ranges::transform(values, halves.begin(), [this](float value) { return clamped_half(value, clamped); });
     return halves.data();
   }
+  const float* add(const std::vector<uint32_t>& ids) { return numbers.emplace_back(ids.begin(), ids.end()).data(); }
 };
 
 /// Adds a layer's channels to the header and the frame buffer; `first` points to its interleaved values.
@@ -130,14 +133,17 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-EncodedExr encode_exr(const Picture& picture, std::span<const std::string> layers, const Attributes& attributes) {
+EncodedExr encode_exr(const Picture& picture, std::span<const std::string> layers, const Attributes& attributes,
+                      Ids ids) {
   use_all_cores();
   Imf::Header header = header_of(picture, attributes);
   Imf::FrameBuffer buffer;
-  HalfLayers halves;
+  Converted converted;
   for (const Layer& layer : picture.layers) {
     if (std::ranges::find(layers, layer.name) == layers.end()) continue;
-    if (layer.name.empty()) add_channels(header, buffer, layer, picture.width, halves.add(layer.values));
+    if (layer.name.empty()) add_channels(header, buffer, layer, picture.width, converted.add(layer.values));
+    else if (!layer.ids.empty() && ids == Ids::real)
+      add_channels(header, buffer, layer, picture.width, converted.add(layer.ids));
     else if (!layer.ids.empty()) add_channels(header, buffer, layer, picture.width, layer.ids.data());
     else add_channels(header, buffer, layer, picture.width, layer.values.data());
   }
@@ -147,12 +153,12 @@ EncodedExr encode_exr(const Picture& picture, std::span<const std::string> layer
     file.setFrameBuffer(buffer);
     file.writePixels(static_cast<int>(picture.height));
   }
-  return {stream.take(), halves.clamped};
+  return {stream.take(), converted.clamped};
 }
 
 uint64_t write_exr(const std::filesystem::path& path, const Picture& picture, std::span<const std::string> layers,
-                   const Attributes& attributes) {
-  const EncodedExr encoded = encode_exr(picture, layers, attributes);
+                   const Attributes& attributes, Ids ids) {
+  const EncodedExr encoded = encode_exr(picture, layers, attributes, ids);
   write_whole(path, encoded.bytes);
   return encoded.clamped;
 }

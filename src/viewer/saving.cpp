@@ -29,7 +29,7 @@ void save_picture(const Model& model, const std::string& path) {
   if (is_exr(path)) {
     cli::RenderCommand command = command_of(shown, model.command);
     output::write_exr(path, shown.picture, picture_layers(model.command.options.layers),
-                      cli::attributes_of(command, shown.seconds));
+                      cli::attributes_of(command, shown.seconds), command.ids);
     return;
   }
   output::write_whole(

@@ -8,7 +8,9 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "output/image.h"
@@ -78,6 +80,33 @@ TEST_CASE("attributes are the options that change pixels, with their effective v
                                                        {"crsh:up", "0,1,0"},
                                                        {"crsh:light", "1,4,2 1,5,2,40"}};
   CHECK(strings_of(file.header()) == expected);
+}
+
+/// What oiiotool says of the file's values; empty where it is not installed.
+std::string read_by_oiiotool(const std::string& path) {
+  const test::Outcome outcome = test::run_program("oiiotool", {"--stats", "-v", path});
+  return outcome.status == 0 ? outcome.out : "";
+}
+
+TEST_CASE("ids are floats that others read as they are, or uint where asked for, and the same to crsh diff") {
+  const test::TemporaryFolder folder;
+  render(folder / "float.exr", {"--layers", "Object,Material"});
+  render(folder / "uint.exr", {"--layers", "Object,Material", "--ids", "uint"});
+  const output::Image real = output::read_image(folder / "float.exr"), whole = output::read_image(folder / "uint.exr");
+  CHECK(real.find("Object.id")->sample == output::Sample::real);
+  CHECK(whole.find("Object.id")->sample == output::Sample::id);
+  CHECK(crsh({"diff", folder / "float.exr", folder / "uint.exr", "--exact", "--layers", "all"}).status == 0);
+  const std::string said = read_by_oiiotool(folder / "float.exr");
+  if (said.empty()) {
+    MESSAGE("skipped: no oiiotool");
+    return;
+  }
+  double most = 0;
+  for (size_t pixel = 0; pixel < 24 * 16; ++pixel) most = std::max(most, whole.find("Object.id")->value(pixel));
+  CHECK(most > 3);
+  CAPTURE(said);
+  CHECK(said.find("Stats Max: ") != std::string::npos);
+  CHECK(said.find(fmt::format("{:.6f}", most), said.find("Stats Max: ")) != std::string::npos);
 }
 
 TEST_CASE("no name, place, algorithm or amount of memory is in the bytes") {

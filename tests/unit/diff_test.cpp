@@ -95,6 +95,16 @@ TEST_CASE("ids are equal or different, however large they are") {
   CHECK(compare(a, b, {"all"}, {}).worst->difference == 1);
 }
 
+TEST_CASE("ids are the same as float and as uint, and floats of them differ wholly, too") {
+  const Image real = real_image({3}, "Object.id"), other = real_image({4}, "Object.id");
+  Image whole = real;
+  whole.channels[0].sample = Sample::id;
+  whole.channels[0].bits = {3};
+  CHECK(compare(real, whole, {"all"}, {.exact = true}).same);
+  CHECK_FALSE(compare(other, whole, {"all"}, {.exact = true}).same);
+  CHECK(compare(real, other, {"all"}, {}).worst->difference == 1);
+}
+
 TEST_CASE("sizes and channels that differ are said, not compared") {
   CHECK(compared(real_image({1}), real_image({1, 2})).mismatch == "sizes differ: 1x1 against 2x1");
   CHECK(compared(real_image({1}), real_image({1}, "G")).mismatch == "channels differ: R against G");

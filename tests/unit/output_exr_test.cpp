@@ -49,10 +49,14 @@ TEST_CASE("only the layers that were asked for are written") {
   CHECK(image.find("Z"));
 }
 
-TEST_CASE("numbers are written as such, however large") {
+TEST_CASE("numbers are written as floats, or as such where asked for, however large") {
   Picture picture = test::varied_picture(2, 1);
   picture.layers.push_back({"Object", {"Object.id"}, {}, {7, UINT32_MAX}});
-  const Image image = decode_exr(encode_exr(picture, std::vector<std::string>{"", "Object"}, {}).bytes, "name");
+  const std::vector<std::string> layers = {"", "Object"};
+  const Image real = decode_exr(encode_exr(picture, layers, {}).bytes, "name");
+  CHECK(real.find("Object.id")->sample == Sample::real);
+  CHECK(real.find("Object.id")->value(0) == 7);
+  const Image image = decode_exr(encode_exr(picture, layers, {}, Ids::uint).bytes, "name");
   REQUIRE(image.find("Object.id"));
   CHECK(image.find("Object.id")->sample == Sample::id);
   CHECK(image.find("Object.id")->bits == std::vector<uint32_t>{7, UINT32_MAX});
