@@ -67,7 +67,7 @@ uvec4 meet(uvec4 hit, Ray ray, Shear shear, Loaded loaded) {
   vec4 a = loaded.a, b = loaded.b, c = loaded.c;
   uint flags = floatBitsToUint(a.w);
   bool any_hit = takes_any_hit(ray);
-  bool cull_back = !any_hit && (flags & triangle_cull_back) != 0u;
+  bool cull_back = passes_backs(ray) && (flags & triangle_cull_back) != 0u;
   float t;
   vec3 edges;
   bool met =

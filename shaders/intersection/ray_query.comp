@@ -34,9 +34,10 @@ struct Candidate {
   uvec3 through;  // where it tints
 };
 
-Candidate met_whole(bool any_hit, uint flags, bool front) {
+Candidate met_whole(Ray ray, uint flags, bool front) {
+  bool any_hit = takes_any_hit(ray);
   bool tints = any_hit && (flags & triangle_transmissive) != 0u;
-  bool met = any_hit || (flags & triangle_cull_back) == 0u || front;
+  bool met = !passes_backs(ray) || (flags & triangle_cull_back) == 0u || front;
   return Candidate(met, tints, tints ? materials[flags & triangle_material_mask].tint.xyz : uvec3(blocked));
 }
 
@@ -62,7 +63,7 @@ void main() {
   while (rayQueryProceedEXT(query)) {
     uint triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
     uint flags = floatBitsToUint(corner_a[triangle].w);
-    Candidate found = met_whole(any_hit, flags, rayQueryGetIntersectionFrontFaceEXT(query, false));
+    Candidate found = met_whole(ray, flags, rayQueryGetIntersectionFrontFaceEXT(query, false));
     if (sheer_pages != 0u && (flags & triangle_sheer) != 0u)
       found = met_covered(found, any_hit, triangle, flags, rayQueryGetIntersectionBarycentricsEXT(query, false));
     if (found.met && found.tints) hit.xyz = saturating_sum(hit.xyz, found.through);

@@ -41,11 +41,13 @@ bool met_nothing(uint surface) { return floatBitsToUint(positions[surface].w) ==
 /// Bound of the coordinates of the triangle that the surface lies on.
 float extent_at(uint surface) { return extent_of(triangle_spheres[floatBitsToUint(positions[surface].w)]); }
 
-/// The slot's ray.
-void store_ray(uint i, vec3 origin, vec3 direction, float end) {
+/// The slot's ray; `passes`: past_backs or 0.
+void store_ray(uint i, vec3 origin, vec3 direction, float end, float passes) {
   flags[first_slot + i] = 1u;
-  rays[first_slot + i] = Ray(vec4(origin, end), vec4(direction, float(kind)));
+  rays[first_slot + i] = Ray(vec4(origin, end), vec4(direction, float(kind) + passes));
 }
+
+void store_ray(uint i, vec3 origin, vec3 direction, float end) { store_ray(i, origin, direction, end, 0.0); }
 
 /// No ray starts in the slot.
 void store_none(uint i) { flags[first_slot + i] = 0u; }

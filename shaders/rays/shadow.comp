@@ -17,7 +17,8 @@ void store_shadow_ray(uint i, Light light, vec3 point, vec3 geometric, float ext
   vec3 origin = light_end(light, end);
   precise vec3 way = end - origin;
   bool parallel = uint(light.position.w) == light_directional;
-  store_ray(i, origin, parallel ? light.direction.xyz : exact_normalize(way), exact_length(way));
+  store_ray(i, origin, parallel ? light.direction.xyz : exact_normalize(way), exact_length(way),
+            light.colour.w * past_backs);
 }
 
 /// The normal on the light's side, where light that comes from there counts: also behind what diffuse light goes
