@@ -49,11 +49,11 @@ std::vector<Size> pixel_sizes(const RenderOptions& options) {
 }
 
 /// A light in the middle, and the others on a circle around it, a seventh of a turn apart.
-std::vector<LightOption> ring(glm::vec3 middle, float radius, uint32_t count) {
+std::vector<LightOption> ring(const glm::dvec3& middle, float radius, uint32_t count) {
   std::vector<LightOption> lights = {{middle, {}}};
   for (uint32_t i = 1; i < count; ++i) {
     const float angle = 2 * std::numbers::pi_v<float> * float(i) / 7;
-    lights.push_back({middle + radius * glm::vec3(std::cos(angle), 0, std::sin(angle)), {}});
+    lights.push_back({middle + glm::dvec3(radius * glm::vec3(std::cos(angle), 0, std::sin(angle))), {}});
   }
   return lights;
 }
@@ -62,8 +62,8 @@ std::vector<LightOption> ring(glm::vec3 middle, float radius, uint32_t count) {
 std::vector<Size> light_sizes(const scene::Scene& scene, const RenderOptions& options) {
   const scene::Bounds bounds = scene.bounds(scene.pose(0, {}));
   const glm::vec3 extent = bounds.high - bounds.low;
-  const glm::vec3 middle =
-      options.lights.empty() ? bounds.low + glm::vec3(0.5f, 0.8f, 0.5f) * extent : options.lights.front().position;
+  const glm::dvec3 middle = options.lights.empty() ? scene.in_file(bounds.low + glm::vec3(0.5f, 0.8f, 0.5f) * extent)
+                                                   : options.lights.front().position;
   const float radius = 0.04f * glm::length(extent);
   std::vector<Size> sizes;
   for (const uint32_t count : {1u, 2u, 4u, 8u})

@@ -19,9 +19,13 @@ scene::Bounds bounds_of(const scene::Scene& scene) {
   return scene.bounds(scene.pose(0, scene::playing(scene, "").animations));
 }
 
-Json bounds_json(const scene::Bounds& bounds) {
+Json bounds_json(const scene::Scene& scene) {
+  const scene::Bounds bounds = bounds_of(scene);
   if (bounds.empty()) return nullptr;
-  const auto corner = [](const glm::vec3& v) { return Json{json_of(v.x), json_of(v.y), json_of(v.z)}; };
+  const auto corner = [&](const glm::vec3& v) {
+    const glm::dvec3 place = scene.in_file(v);
+    return Json{place.x, place.y, place.z};
+  };
   return {{"low", corner(bounds.low)}, {"high", corner(bounds.high)}};
 }
 
@@ -65,11 +69,18 @@ std::string scenes_text(const scene::Scene& scene) {
 /// How many materials the file has: the last one of the list is the default, for "none".
 size_t material_count(const scene::Scene& scene) { return scene.materials.empty() ? 0 : scene.materials.size() - 1; }
 
-std::string bounds_text(const scene::Bounds& bounds) {
+/// Far from the file's origin corners need more digits to differ.
+std::string bounds_text(const scene::Scene& scene) {
+  const scene::Bounds bounds = bounds_of(scene);
   if (bounds.empty()) return "nothing is drawn";
   const glm::vec3 size = bounds.high - bounds.low;
-  return fmt::format("{:.4g} x {:.4g} x {:.4g} m, from {:.4g},{:.4g},{:.4g} to {:.4g},{:.4g},{:.4g}", size.x, size.y,
-                     size.z, bounds.low.x, bounds.low.y, bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z);
+  const int digits = scene.origin == glm::dvec3(0) ? 4 : 10;
+  const auto corner = [&](const glm::vec3& v) {
+    const glm::dvec3 place = scene.origin + glm::dvec3(v);
+    return fmt::format("{:.{}g},{:.{}g},{:.{}g}", place.x, digits, place.y, digits, place.z, digits);
+  };
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} m, from {} to {}", size.x, size.y, size.z, corner(bounds.low),
+                     corner(bounds.high));
 }
 
 std::string variants_text(const scene::Scene& scene) {
@@ -141,7 +152,7 @@ std::string scene_text(const scene::Scene& scene) {
          line("textures", std::to_string(scene.textures.size())) + line("lights", counted(scene.lights, light)) +
          line("cameras", counted(scene.cameras, [](const scene::Camera& camera) { return type_of(camera); })) +
          line("animations", counted(scene.animations, animation)) + line("variants", variants_text(scene)) +
-         line("bounds", bounds_text(bounds_of(scene))) + line("not supported", clauses_text(scene.unsupported)) +
+         line("bounds", bounds_text(scene)) + line("not supported", clauses_text(scene.unsupported)) +
          line("approximated", clauses_text(scene::approximated(scene)));
 }
 
@@ -167,7 +178,7 @@ Json scene_json(const scene::Scene& scene) {
             {"cameras", list_of(scene.cameras, camera)},
             {"animations", list_of(scene.animations, animation)},
             {"variants", scene.variants},
-            {"bounds", bounds_json(bounds_of(scene))},
+            {"bounds", bounds_json(scene)},
             {"unsupported", scene.unsupported},
             {"approximated", scene::approximated(scene)}}}};
 }

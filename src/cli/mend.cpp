@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "cli/values.h"
+
 namespace crsh::cli {
 namespace {
 
@@ -28,13 +30,9 @@ std::string line_of(const UserError& error) {
 }
 
 std::string option_of(const ViewOption& view) {
-  const glm::vec3 eye = view.eye.value(), target = view.target.value();
-  return fmt::format("--eye {},{},{} --target {},{},{}", eye.x, eye.y, eye.z, target.x, target.y, target.z);
+  return fmt::format("--eye {} --target {}", text_of(view.eye.value()), text_of(view.target.value()));
 }
 
-std::string option_of(const LightOption& light) {
-  const std::string place = fmt::format("--light {},{},{}", light.position.x, light.position.y, light.position.z);
-  return light.candela ? fmt::format("{},{}", place, *light.candela) : place;
-}
+std::string option_of(const LightOption& light) { return "--light " + text_of(light); }
 
 }  // namespace crsh::cli

@@ -17,13 +17,13 @@ using Json = nlohmann::ordered_json;
 
 std::string with_commas(const std::vector<std::string_view>& words) { return fmt::format("{}", fmt::join(words, ",")); }
 
-Json text_or_null(const std::optional<glm::vec3>& vector) { return vector ? Json(text_of(*vector)) : Json(); }
+Json text_or_null(const std::optional<glm::dvec3>& place) { return place ? Json(text_of(*place)) : Json(); }
 
-Option vector_row(std::string names, std::string help, std::optional<glm::vec3>& variable) {
+Option place_row(std::string names, std::string help, std::optional<glm::dvec3>& variable) {
   return {.names = std::move(names),
           .value = "X,Y,Z",
           .help = std::move(help),
-          .set = [&variable](const std::string& text) { variable = parse_vector(text); },
+          .set = [&variable](const std::string& text) { variable = parse_place(text); },
           .get = [&variable] { return text_or_null(variable); },
           .pixels = true};
 }
@@ -130,27 +130,27 @@ Option up_row(glm::vec3& up) {
 
 LightOption parse_light(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 3 && parts.size() != 4)
-    refuse("x,y,z or x,y,z,candela is allowed, finite numbers with commas between, as in 0,2.5,1,400");
-  LightOption light{.position = parse_vector(fmt::format("{},{},{}", parts[0], parts[1], parts[2])), .candela = {}};
-  if (parts.size() == 4) light.candela = parse_real(parts[3], 0, std::numeric_limits<float>::max());
+  if (parts.size() < 3 || parts.size() > 5 || (parts.size() == 5 && parts[4] != "past-backs"))
+    refuse("x,y,z or x,y,z,candela is allowed, finite numbers with commas between, as in 0,2.5,1,400, and past-backs");
+  LightOption light{.position = parse_place(fmt::format("{},{},{}", parts[0], parts[1], parts[2])), .candela = {}};
+  if (parts.size() > 3) light.candela = parse_real(parts[3], 0, std::numeric_limits<float>::max());
+  light.past_backs = parts.size() == 5;
   return light;
-}
-
-std::string light_text(const LightOption& light) {
-  return text_of(light.position) + (light.candela ? fmt::format(",{}", *light.candela) : "");
 }
 
 Option light_row(std::vector<LightOption>& lights) {
   return {
       .names = "--light",
-      .value = "X,Y,Z[,CANDELA]",
-      .help = "A point light in place of the file's lights. Without candela: as bright as suits the scene. Repeats.",
+      .value = "X,Y,Z[,CANDELA[,past-backs]]",
+      .help =
+          "A point light in place of the file's lights. Without candela: as bright as suits the scene. past-backs: "
+          "backs "
+          "that the eye does not see do not block it, as they do not block the light of a scene without any. Repeats.",
       .set = [&lights](const std::string& text) { lights.push_back(parse_light(text)); },
       .get =
           [&lights] {
             Json list = Json::array();
-            for (const LightOption& light : lights) list.push_back(light_text(light));
+            for (const LightOption& light : lights) list.push_back(text_of(light));
             return lights.empty() ? Json() : list;
           },
       .repeats = true,
@@ -196,8 +196,8 @@ OptionGroup scene_options(RenderCommand& command) {
                              "Which of the file's sets of materials (KHR_materials_variants).", options.variant))),
        changes_pixels(with_default("the first, else one that sees the whole scene",
                                    text("--camera", "INDEX|NAME", "Which of the file's cameras.", options.camera))),
-       vector_row("--eye", "A camera of your own: where it stands.", options.view.eye),
-       vector_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
+       place_row("--eye", "A camera of your own: where it stands.", options.view.eye),
+       place_row("--target", "What it looks at.", options.view.target), up_row(options.view.up),
        fov_row(options.view.fov_degrees), orthographic_row(options.view.orthographic_height), light_row(options.lights),
        hide_row(options.hidden), allow_outside_row(command.allow_outside), lenient_row(command.lenient)}};
 }

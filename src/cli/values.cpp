@@ -23,9 +23,23 @@ std::optional<T> whole_number(const std::string& text) {
   return value;
 }
 
-std::optional<float> finite(const std::string& text) {
-  const auto value = whole_number<float>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+/// A number that is finite as a float, too.
+template <class T = float>
+std::optional<T> finite(const std::string& text) {
+  const auto value = whole_number<T>(text);
+  return value && std::isfinite(static_cast<float>(*value)) ? value : std::nullopt;
+}
+
+template <class T>
+glm::vec<3, T> parse_three(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  glm::vec<3, T> vector(0);
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const auto value = parts.size() == 3 ? finite<T>(parts[axis]) : std::nullopt;
+    if (!value) refuse("three finite numbers with commas between are allowed, as in 0,1.5,-2");
+    vector[static_cast<int>(axis)] = *value;
+  }
+  return vector;
 }
 
 }  // namespace
@@ -51,16 +65,9 @@ float parse_real(const std::string& text, float low, float high) {
   return *value;
 }
 
-glm::vec3 parse_vector(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  glm::vec3 vector(0);
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const auto value = parts.size() == 3 ? finite(parts[axis]) : std::nullopt;
-    if (!value) refuse("three finite numbers with commas between are allowed, as in 0,1.5,-2");
-    vector[static_cast<int>(axis)] = *value;
-  }
-  return vector;
-}
+glm::vec3 parse_vector(const std::string& text) { return parse_three<float>(text); }
+
+glm::dvec3 parse_place(const std::string& text) { return parse_three<double>(text); }
 
 bool parse_switch(const std::string& text) { return parse_choice(text, {"off", "on"}) == 1; }
 
@@ -82,6 +89,13 @@ std::vector<std::string> split(const std::string& text, char separator) {
 nlohmann::ordered_json json_of(float value) { return *whole_number<double>(fmt::format("{}", value)); }
 
 std::string text_of(const glm::vec3& vector) { return fmt::format("{},{},{}", vector.x, vector.y, vector.z); }
+
+std::string text_of(const glm::dvec3& place) { return fmt::format("{},{},{}", place.x, place.y, place.z); }
+
+std::string text_of(const LightOption& light) {
+  const std::string place = text_of(light.position);
+  return light.candela ? fmt::format("{},{}{}", place, *light.candela, light.past_backs ? ",past-backs" : "") : place;
+}
 
 std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_string()) return value.get<std::string>();

@@ -1,5 +1,6 @@
 #pragma once
-// What a frame built, for looking at: the nodes over its rays, and the boxes over its objects.
+// What a frame built, for looking at: the nodes over its rays, and the boxes over its objects. Places are measured from
+// Renderer::centre().
 
 #include <cstdint>
 #include <glm/glm.hpp>

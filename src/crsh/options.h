@@ -15,17 +15,18 @@
 
 namespace crsh {
 
-/// --light x,y,z[,candela]
+/// --light x,y,z[,candela[,past-backs]]
 struct LightOption {
   bool operator==(const LightOption&) const = default;
-  glm::vec3 position{0};
+  glm::dvec3 position{0};        ///< metres, in the file's coordinates
   std::optional<float> candela;  ///< none: π·d² ÷ number of such lights
+  bool past_backs = false;       ///< backs of single-sided triangles, which the eye does not see, do not block it
 };
 
 /// --eye --target --up --fov --orthographic
 struct ViewOption {
   bool operator==(const ViewOption&) const = default;
-  std::optional<glm::vec3> eye, target;
+  std::optional<glm::dvec3> eye, target;  ///< metres, in the file's coordinates
   glm::vec3 up{0, 1, 0};
   std::optional<float> fov_degrees;          ///< vertical
   std::optional<float> orthographic_height;  ///< of the image, metres: rays are parallel

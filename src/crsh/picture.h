@@ -19,9 +19,9 @@ struct Layer {
 
 struct Picture {
   uint32_t width = 0, height = 0;
-  std::vector<Layer> layers;     ///< the beauty first
-  glm::mat4 world_to_camera{1};  ///< OpenEXR's worldToCamera
-  glm::mat4 world_to_ndc{1};     ///< OpenEXR's worldToNDC
+  std::vector<Layer> layers;      ///< the beauty first
+  glm::dmat4 world_to_camera{1};  ///< OpenEXR's worldToCamera, of the file's coordinates
+  glm::dmat4 world_to_ndc{1};     ///< OpenEXR's worldToNDC, of the file's coordinates
   [[nodiscard]] const Layer* find(const std::string& name) const {
     for (const Layer& layer : layers)
       if (layer.name == name) return &layer;

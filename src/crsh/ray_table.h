@@ -12,12 +12,13 @@ namespace crsh {
 /// sample, portion of the image, bounce, kind and light.
 struct RayTable {
   // What is traced.
-  std::vector<glm::vec3> origin;     ///< metres; a shadow ray's is the light's end
+  std::vector<glm::vec3> origin;     ///< metres, from `centre`; a shadow ray's is the light's end
   std::vector<glm::vec3> direction;  ///< unit
   std::vector<float> tmax;           ///< metres; infinity for closest-hit rays
   std::vector<uint32_t> kind;        ///< shared::kind_*
   std::vector<uint32_t> bounce;      ///< surfaces passed
   std::vector<uint32_t> light;       ///< where there is a ray a light: its index
+  std::vector<uint32_t> past_backs;  ///< 1: an any-hit ray that passes the backs of single-sided triangles
   // Where it belongs.
   std::vector<uint32_t> pixel;  ///< row-major in the image
   std::vector<uint32_t> path;   ///< 1, then shared::path_bits a bounce: RayKind::turn (0 reflected, 1 refracted)
@@ -30,6 +31,7 @@ struct RayTable {
   std::vector<glm::uvec3> transmittance;  ///< of any-hit rays: shared::Hit's words
 
   uint32_t width = 0, height = 0;  ///< of the image; 0: unknown
+  glm::dvec3 centre{0};            ///< where origins are measured from, in the file's coordinates
 
   [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(origin.size()); }
 };
@@ -38,7 +40,8 @@ struct RayTable {
 template <class Table, class Visit>
 void for_columns(Table& table, Visit visit) {
   visit(table.origin), visit(table.direction), visit(table.tmax), visit(table.kind), visit(table.bounce);
-  visit(table.light), visit(table.pixel), visit(table.path), visit(table.batch), visit(table.key), visit(table.sorted);
+  visit(table.past_backs), visit(table.light), visit(table.pixel), visit(table.path), visit(table.batch),
+      visit(table.key), visit(table.sorted);
   visit(table.hit), visit(table.t), visit(table.transmittance);
 }
 

@@ -87,6 +87,9 @@ class Renderer {
   /// Lights that were chosen here, as options that ask for the same: those of RenderOptions::lights without intensity,
   /// or, without any there and in the scene, the one beside the eye.
   [[nodiscard]] const std::vector<LightOption>& chosen_lights() const;
+  /// Where rays, nodes and boxes are measured from, in the file's coordinates: not zero where the scene lies so far
+  /// from the file's own origin that floats could not tell its places apart.
+  [[nodiscard]] glm::dvec3 centre() const;
   /// What else was settled here and changes the picture, a line each: textures made smaller, animations chosen.
   [[nodiscard]] const std::vector<std::string>& notes() const;
 

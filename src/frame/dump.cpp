@@ -48,6 +48,7 @@ void set_ray(RayTable& table, size_t row, const shared::Ray& ray) {
   table.direction[row] = glm::vec3(ray.direction);
   table.tmax[row] = ray.origin.w;
   table.kind[row] = static_cast<uint32_t>(ray.direction.w);
+  table.past_backs[row] = ray.direction.w != float(table.kind[row]);
 }
 
 void set_hit(RayTable& table, size_t row, const glm::uvec4& words) {

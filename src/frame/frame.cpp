@@ -179,14 +179,14 @@ Picture render_frame(Renderer::State& s, double seconds, const Renderer::Progres
   s.paths.generations.resize(s.options.bounces + 2);
   s.paths.gathered.resize(s.options.bounces + 2);
   for (uint32_t sample = 0; sample < s.options.samples; ++sample) render_sample(s, view, progress, sample);
-  return shading::take_picture(s.recorder, s.film, view, s.options.background);
+  return shading::take_picture(s.recorder, s.film, view, s.scene.origin, s.options.background);
 }
 
 Picture refine_frame(Renderer::State& s, double seconds, const Renderer::Progress& progress) {
   const scene::Pose pose = s.scene.pose(seconds, s.animations);
   const raster::CameraView view = raster::camera_view(s.scene, pose, s.options, s.first_bounds, s.size);
   render_sample(s, view, progress, 0);
-  return shading::take_picture(s.recorder, s.film, view, s.options.background);
+  return shading::take_picture(s.recorder, s.film, view, s.scene.origin, s.options.background);
 }
 
 }  // namespace crsh

@@ -219,7 +219,7 @@ Picture Renderer::render(double seconds, const Progress& progress, RayTable* dum
   Picture picture;
   state_->dump.rays = dump;
   run(*state_, [&] { picture = render_frame(*state_, seconds, progress); });
-  if (dump) dump->width = picture.width, dump->height = picture.height;
+  if (dump) dump->width = picture.width, dump->height = picture.height, dump->centre = centre();
   return picture;
 }
 
@@ -258,6 +258,7 @@ const Statistics& Renderer::statistics() const { return state_->statistics; }
 const RenderOptions& Renderer::options() const { return state_->options; }
 const std::optional<ViewOption>& Renderer::chosen_view() const { return state_->chosen_view; }
 const std::vector<LightOption>& Renderer::chosen_lights() const { return state_->lights.chosen; }
+glm::dvec3 Renderer::centre() const { return state_->scene.origin; }
 const std::vector<std::string>& Renderer::notes() const { return state_->notes; }
 
 }  // namespace crsh

@@ -20,11 +20,23 @@ struct Uploaded {
   std::vector<glm::vec4> pixels, paths;  ///< in w, as surfaces::Surfaces have them
 };
 
-Uploaded uploaded(const RayTable& table, const ReplayBatch& batch) {
+/// Where the ray begins, measured from `centre`: to the last bit as in the table where that measures from there, too.
+glm::vec3 begin_of(const RayTable& table, uint32_t row, const glm::dvec3& centre) {
+  if (table.centre == centre) return table.origin[row];
+  return glm::vec3(glm::dvec3(table.origin[row]) + (table.centre - centre));
+}
+
+/// Kind, and past_backs, as shared::Ray has them.
+float word_of(const RayTable& table, uint32_t row) {
+  const bool passes = !table.past_backs.empty() && table.past_backs[row];
+  return float(table.kind[row]) + (passes ? shared::past_backs : 0);
+}
+
+Uploaded uploaded(const RayTable& table, const ReplayBatch& batch, const glm::dvec3& centre) {
   Uploaded data;
   for (const uint32_t row : batch.rows) {
-    data.rays.push_back(
-        {glm::vec4(table.origin[row], table.tmax[row]), glm::vec4(table.direction[row], float(table.kind[row]))});
+    data.rays.push_back({glm::vec4(begin_of(table, row, centre), table.tmax[row]),
+                         glm::vec4(table.direction[row], word_of(table, row))});
     data.pixels.push_back({0, 0, 0, std::bit_cast<float>(table.pixel[row])});
     data.paths.push_back({0, 0, 0, std::bit_cast<float>(table.path[row])});
   }
@@ -77,7 +89,7 @@ void replay_rays(Renderer::State& s, const RayTable& table, double seconds) {
     CRSH_ASSERT(part.bounce <= s.options.bounces, "a ray of a bounce without counters");
     rays::Batch& batch = s.batch.rays;
     s.recorder.submit();
-    const Uploaded data = uploaded(table, part);
+    const Uploaded data = uploaded(table, part, s.scene.origin);
     batch.segments = part.segments;
     batch.surfaces = batch.count = static_cast<uint32_t>(part.rows.size());
     put(s.recorder, batch.rays, data.rays, "rays.rays");
@@ -90,7 +102,9 @@ void replay_rays(Renderer::State& s, const RayTable& table, double seconds) {
     rows.insert(rows.end(), part.rows.begin(), part.rows.end());
   }
   s.recorder.submit();
-  if (s.dump.rays) restore_rows(table, rows, s.options.algorithm.keys, *s.dump.rays);
+  if (!s.dump.rays) return;
+  restore_rows(table, rows, s.options.algorithm.keys, *s.dump.rays);
+  s.dump.rays->centre = s.scene.origin;
 }
 
 }  // namespace crsh

@@ -100,6 +100,11 @@ class Reader {
     read_reals(name, {rows_, 3}, &values.data()->x);
     return values;
   }
+  [[nodiscard]] glm::dvec3 place(const std::string& name) const {
+    glm::dvec3 value(0);
+    read_reals(name, {3}, &value.x);
+    return value;
+  }
   /// Whole numbers from 0 to `most`; as many as there are rays unless `count` says otherwise. `missing` where the file
   /// has no such array.
   template <class T>
@@ -157,14 +162,15 @@ class Reader {
                      const std::string& numbers) const {
     if (array.shape != shape) refuse_type(name, array, shape, numbers);
   }
-  void read_reals(const std::string& name, const Shape& shape, float* values) const {
+  template <class T>
+  void read_reals(const std::string& name, const Shape& shape, T* values) const {
     const NpyArray array = load(name);
     if (array.type != NpyType{'f', 4} && array.type != NpyType{'f', 8})
       refuse_type(name, array, shape, "float32 or float64");
     require_shape(name, array, shape, "float32 or float64");
     copy(array, values, [&](auto value, uint64_t row) {
       if (std::isnan(value)) refuse(name, fmt::format("of ray {} is not a number", row));
-      return static_cast<float>(value);
+      return static_cast<T>(value);
     });
   }
   /// The array's values row by row, whatever their type and order, each through `convert(value, row)`.
@@ -193,7 +199,10 @@ std::vector<std::string_view> kind_names() {
   return names;
 }
 
-bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+template <class T>
+bool finite(const glm::vec<3, T>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 void check_rays(const Reader& file, const RayTable& table) {
   for (uint32_t row = 0; row < table.size(); ++row) {
@@ -221,6 +230,12 @@ std::vector<uint32_t> read_kinds(const Reader& file, uint64_t rays) {
   return kinds;
 }
 
+void read_centre(const Reader& file, RayTable& table) {
+  if (!file.has("centre")) return;
+  table.centre = file.place("centre");
+  if (!finite(table.centre)) file.refuse("centre", "is not finite");
+}
+
 void read_image(const Reader& file, RayTable& table) {
   if (!file.has("image")) return;
   const auto size = file.read_integers<uint32_t>("image", 2, 1u << 16);
@@ -241,6 +256,8 @@ std::string encode_rays(const RayTable& table) {
   writer.add_bytes("kind", table.kind);
   writer.add("kinds", kind_names());
   writer.add_bytes("bounce", table.bounce);
+  if (std::ranges::find(table.past_backs, 1u) != table.past_backs.end())
+    writer.add_bytes("past_backs", table.past_backs);
   writer.add("light", table.light);
   writer.add("pixel", table.pixel);
   writer.add("path", table.path);
@@ -250,6 +267,8 @@ std::string encode_rays(const RayTable& table) {
   writer.add("hit", table.hit);
   writer.add("t", table.t);
   writer.add("transmittance", table.transmittance);
+  if (table.centre != glm::dvec3(0))
+    writer.add("centre", std::vector<double>{table.centre.x, table.centre.y, table.centre.z});
   if (table.width) writer.add("image", std::vector<uint32_t>{table.width, table.height});
   return writer.archive();
 }
@@ -265,12 +284,14 @@ RayTable read_rays(const std::filesystem::path& path) {
   table.tmax = file.reals("tmax");
   table.kind = read_kinds(file, table.size());
   table.bounce = file.integers<uint32_t>("bounce", max_bounces, 0);
+  table.past_backs = file.integers<uint32_t>("past_backs", 1, 0);
   table.light = file.integers<uint32_t>("light", any_word, 0);
   table.pixel = file.integers<uint32_t>("pixel", any_word, 0);
   table.path = file.integers<uint32_t>("path", any_word, 1);
   table.batch = file.integers<uint32_t>("batch", any_word, 0);
   if (file.has("key")) table.key = file.integers<uint64_t>("key", std::numeric_limits<uint64_t>::max(), 0);
   check_rays(file, table);
+  read_centre(file, table);
   read_image(file, table);
   return table;
 }

@@ -82,15 +82,15 @@ std::string processor_name() {
 }
 
 /// Four rows, as in the EXR's attribute: a point is a row vector, and is multiplied from the left.
-Json matrix_json(const glm::mat4& matrix) {
+Json matrix_json(const glm::dmat4& matrix) {
   Json rows = Json::array();
   for (int row = 0; row < 4; ++row) rows.push_back({matrix[row].x, matrix[row].y, matrix[row].z, matrix[row].w});
   return rows;
 }
 
 Json camera_json(const RunDescription& run) {
-  const glm::mat4 camera_to_world = glm::inverse(run.world_to_camera);
-  const glm::vec4 eye = camera_to_world[3], forward = camera_to_world[2];
+  const glm::dmat4 camera_to_world = glm::inverse(run.world_to_camera);
+  const glm::dvec4 eye = camera_to_world[3], forward = camera_to_world[2];
   return {{"eye", {eye.x, eye.y, eye.z}},
           {"forward", {forward.x, forward.y, forward.z}},
           {"world_to_camera", matrix_json(run.world_to_camera)},

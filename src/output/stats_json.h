@@ -16,8 +16,8 @@ struct RunDescription {
   std::vector<std::string> command;  ///< as it was given
   nlohmann::ordered_json options;    ///< every effective value, by the option's name
   gpu::DeviceInfo device;
-  std::string scene;                              ///< path
-  glm::mat4 world_to_camera{1}, world_to_ndc{1};  ///< of the last frame, as in the EXR
+  std::string scene;                               ///< path
+  glm::dmat4 world_to_camera{1}, world_to_ndc{1};  ///< of the last frame, as in the EXR but in double precision
   uint32_t width = 0, height = 0, samples = 1;
   std::string algorithm;
   bool replayed = false;  ///< the rays came from a file: there is no camera and no image

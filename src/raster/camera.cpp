@@ -152,15 +152,26 @@ Placement frame(CameraView view, glm::vec3 up, const scene::Bounds& bounds, cons
   return {rounded(middle + view.forward * forward, extent.radius), rounded(middle, extent.radius)};
 }
 
-/// What the options say of eye and target, and what is chosen for the rest. Parallel lines of sight want the middle of
-/// the scene in the middle of the image, however near it is.
-Placement placement_of(const CameraView& view, const ViewOption& option, const scene::Bounds& bounds, float aspect) {
+/// What is chosen where the options do not say both eye and target. Parallel lines of sight want the middle of the
+/// scene in the middle of the image, however near it is.
+Placement chosen_placement(const scene::Scene& scene, const CameraView& view, const ViewOption& option,
+                           const scene::Bounds& bounds, float aspect) {
   const Extent extent = extent_of(bounds);
   if (!option.eye && !option.target && !option.orthographic_height)
     return frame(view, option.up, bounds, extent, aspect);
-  const glm::vec3 target = option.target.value_or(extent.centre);
+  const glm::vec3 target = option.target ? scene.drawn(*option.target) : extent.centre;
   const glm::vec3 away = glm::normalize(default_side) * framing_distance(view, aspect, extent.radius);
-  return {option.eye.value_or(target + away), target};
+  return {target + away, target};
+}
+
+/// The option with both eye and target, in the file's coordinates.
+ViewOption completed(const scene::Scene& scene, const CameraView& view, const ViewOption& option,
+                     const scene::Bounds& bounds, float aspect) {
+  const Placement chosen = chosen_placement(scene, view, option, bounds, aspect);
+  ViewOption whole = option;
+  if (!whole.eye) whole.eye = scene.in_file(chosen.eye);
+  if (!whole.target) whole.target = scene.in_file(chosen.target);
+  return whole;
 }
 
 CameraView with_fov(const ViewOption& option) {
@@ -169,11 +180,12 @@ CameraView with_fov(const ViewOption& option) {
   return view;
 }
 
-void see_scene(CameraView& view, const ViewOption& option, const scene::Bounds& bounds, float aspect) {
+void see_scene(CameraView& view, const scene::Scene& scene, const ViewOption& option, const scene::Bounds& bounds,
+               float aspect) {
   view = with_fov(option);
-  const Placement place = placement_of(view, option, bounds, aspect);
-  view.eye = place.eye;
-  look(view, place.target - place.eye, option.up);
+  const ViewOption whole = completed(scene, view, option, bounds, aspect);
+  view.eye = scene.drawn(*whole.eye);
+  look(view, scene.drawn(*whole.target) - view.eye, option.up);
   view.near_plane = near_share * 2 * extent_of(bounds).radius;
 }
 
@@ -212,7 +224,7 @@ CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const
     see_through(view, scene::changed_or(pose.changes.cameras, scene.cameras, *index), pose.cameras[*index]);
     if (options.view.fov_degrees && !view.orthographic) set_fov(view, glm::radians(*options.view.fov_degrees));
   } else {
-    see_scene(view, options.view, bounds, aspect);
+    see_scene(view, scene, options.view, bounds, aspect);
   }
   if (options.view.orthographic_height)
     view.orthographic = true, view.half_height = *options.view.orthographic_height / 2;
@@ -224,11 +236,7 @@ CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const
 std::optional<ViewOption> chosen_view(const scene::Scene& scene, const RenderOptions& options,
                                       const scene::Bounds& bounds, ImageSize size) {
   if (chosen_camera(scene, options) || (options.view.eye && options.view.target)) return {};
-  const Placement place = placement_of(with_fov(options.view), options.view, bounds, aspect_of(size));
-  ViewOption view = options.view;
-  view.eye = place.eye;
-  view.target = place.target;
-  return view;
+  return completed(scene, with_fov(options.view), options.view, bounds, aspect_of(size));
 }
 
 glm::mat4 CameraView::world_to_camera() const {

@@ -14,7 +14,7 @@ struct ImageSize {
   uint32_t width = 0, height = 0;
 };
 
-/// World space; metres. `right`, `up` and `forward` are unit vectors at right angles.
+/// In the drawn world (scene::Scene::origin); metres. `right`, `up` and `forward` are unit vectors at right angles.
 struct CameraView {
   glm::vec3 eye{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
   bool orthographic = false;
@@ -46,7 +46,8 @@ struct PixelCone {
 [[nodiscard]] CameraView camera_view(const scene::Scene& scene, const scene::Pose& pose, const RenderOptions& options,
                                      const scene::Bounds& bounds, ImageSize size);
 
-/// Where camera_view() has chosen eye or target itself: both as options that say the same, to the last bit. Else none.
+/// Where camera_view() has chosen eye or target itself: both as options that say the same, to the last bit, in the
+/// file's coordinates. Else none.
 [[nodiscard]] std::optional<ViewOption> chosen_view(const scene::Scene& scene, const RenderOptions& options,
                                                     const scene::Bounds& bounds, ImageSize size);
 

@@ -82,6 +82,7 @@ struct Mesh {
   std::vector<PackedColour> colours;               ///< white where the file has none
   std::vector<glm::uvec3> triangles;
   std::vector<uint32_t> materials;  ///< a triangle: index into Scene::materials
+  glm::dvec3 origin{0};             ///< what the file adds to `positions` (scene/origin.h)
   Sphere sphere;                    ///< smallest enclosing sphere of the corners (Gärtner 1999)
   /// Radii of spheres around sphere.centre that also hold every triangle's own smallest sphere, after a similarity and
   /// after any affine map (times its largest stretch). Culling uses these, because a hit lies in its triangle's
@@ -106,7 +107,7 @@ struct Skin {
 };
 
 struct Transform {
-  glm::vec3 translation{0};
+  glm::dvec3 translation{0};
   glm::quat rotation{1, 0, 0, 0};
   glm::vec3 scale{1};
 };
@@ -115,9 +116,11 @@ struct Node {
   std::string name;
   std::optional<uint32_t> parent;
   Transform transform;
-  std::optional<glm::mat4> matrix;  ///< used in place of `transform`
-  std::vector<float> weights;       ///< of its mesh's morph targets; empty: the mesh's own
-  bool visible = true;              ///< else nothing below it is drawn or shines (KHR_node_visibility)
+  std::optional<glm::dmat4> matrix;  ///< used in place of `transform`
+  std::vector<float> weights;        ///< of its mesh's morph targets; empty: the mesh's own
+  bool visible = true;               ///< else nothing below it is drawn or shines (KHR_node_visibility)
+  /// To the parent, as the node rests.
+  [[nodiscard]] glm::dmat4 local() const;
 };
 
 struct Instance {
@@ -176,7 +179,8 @@ struct Animation {
 
 /// Where all drawn geometry is in a frame. What is built over it is up to date as long as this stays the same.
 struct GeometryPose {
-  std::vector<glm::mat4> instances;  ///< world transforms; of a skinned one the identity, for its joints have its place
+  /// Transforms to the drawn world; of a skinned one the identity, for its joints have its place.
+  std::vector<glm::mat4> instances;
   std::vector<std::vector<glm::mat4>> joints;  ///< of each skin
   std::vector<std::vector<float>> weights;     ///< of each instance's morph targets
   std::vector<bool> hidden;                    ///< instances of which nothing is seen; empty: none
@@ -199,7 +203,7 @@ template <class T>
 
 /// How the scene stands in a frame: in the order of the scene's lists.
 struct Pose : GeometryPose {
-  std::vector<glm::mat4> lights, cameras;  ///< world transforms
+  std::vector<glm::mat4> lights, cameras;  ///< transforms to the drawn world
   Changes changes;
 };
 
@@ -220,13 +224,21 @@ struct Scene {
   std::vector<std::string> unsupported;  ///< what the file has that crsh does not do, a short clause each
   std::vector<std::string> scene_names;  ///< of all glTF scenes in the file
   std::vector<std::string> variants;     ///< names of all sets of materials in the file (KHR_materials_variants)
+  /// Where the drawn world's (0, 0, 0) lies in the file's, metres. All that is drawn, and all that is in floats, is in
+  /// the drawn world; what people give and get is in the file's (scene/origin.h). Mostly both are the same.
+  glm::dvec3 origin{0};
 
+  /// The file's `place` in the drawn world, and back: as the decimal number that people would write for it.
+  [[nodiscard]] glm::vec3 drawn(const glm::dvec3& place) const { return glm::vec3(place - origin); }
+  [[nodiscard]] glm::dvec3 in_file(const glm::vec3& place) const;
+  /// A node's `world` transform in the file as one to the drawn world, for a mesh whose positions lack `lacking`.
+  [[nodiscard]] glm::mat4 drawn(glm::dmat4 world, const glm::dvec3& lacking = glm::dvec3(0)) const;
   /// How many triangles are drawn, those of a mesh once for each instance.
   [[nodiscard]] uint64_t triangle_count() const;
   /// At `seconds` of these animations (scene/playing.h), the later ones over the earlier; without any, as the file has
   /// it.
   [[nodiscard]] Pose pose(double seconds, const std::vector<uint32_t>& animations) const;
-  /// World bounds of all drawn geometry in this pose, deformed as it is (empty for an empty scene).
+  /// Bounds of all drawn geometry in this pose, deformed as it is, in the drawn world (empty for an empty scene).
   [[nodiscard]] Bounds bounds(const Pose& pose) const;
 };
 

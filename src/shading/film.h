@@ -54,8 +54,9 @@ struct SampleIn {
 void add_sample(gpu::Recorder& recorder, const SampleIn& in, Film& film);
 
 /// The beauty "" and the film's layers by the names of layer_table: light and properties as means over samples, tests
-/// as sums, with the camera's matrices. Without a `background` A is coverage. Submits and waits.
+/// as sums, with the camera's matrices. Places are in the coordinates where the drawn world begins at `origin`. Without
+/// a `background` A is coverage. Submits and waits.
 [[nodiscard]] Picture take_picture(gpu::Recorder& recorder, const Film& film, const raster::CameraView& view,
-                                   const std::optional<glm::vec3>& background);
+                                   const glm::dvec3& origin, const std::optional<glm::vec3>& background);
 
 }  // namespace crsh::shading

@@ -8,11 +8,23 @@
 namespace crsh::shading {
 namespace {
 
+/// The matrix for points whose coordinates begin farther off by `origin` than those that it is for.
+glm::dmat4 from_origin(const glm::mat4& matrix, const glm::dvec3& origin) {
+  glm::dmat4 moved(matrix);
+  if (origin != glm::dvec3(0)) moved[3] -= moved * glm::dvec4(origin, 0);
+  return moved;
+}
+
 /// Reads the film's buffers and makes layers of them.
 class Developer {
  public:
-  Developer(gpu::Recorder& recorder, const Film& film, const std::optional<glm::vec3>& background)
-      : recorder_(recorder), film_(film), background_(background), scale_(1.0f / float(std::max(film.samples, 1u))) {}
+  Developer(gpu::Recorder& recorder, const Film& film, const glm::dvec3& origin,
+            const std::optional<glm::vec3>& background)
+      : recorder_(recorder),
+        film_(film),
+        origin_(origin),
+        background_(background),
+        scale_(1.0f / float(std::max(film.samples, 1u))) {}
 
   [[nodiscard]] Layer layer(LayerId id) const {
     Layer layer{.name = picture_layer(id), .channels = channels_of(id), .values = {}, .ids = {}};
@@ -28,6 +40,7 @@ class Developer {
       case LayerFill::tests: add_tests(layer, id); break;
     }
     if (id == LayerId::beauty && background_) make_opaque(layer);
+    if (row_of(id).source.value == SurfaceValue::position) add_origin(layer, id);
     return layer;
   }
 
@@ -42,6 +55,15 @@ class Developer {
     const int first = int(row_of(id).source.which), channels = int(layer.channels.size());
     for (const glm::vec4& pixel : read<glm::vec4>(id))
       for (int c = 0; c < channels; ++c) layer.values.push_back(pixel[first + c] * scale);
+  }
+
+  /// Where something was met: elsewhere a position's w, which has the triangle's bits, is not a number (shared::none).
+  void add_origin(Layer& layer, LayerId id) const {
+    if (origin_ == glm::dvec3(0)) return;
+    const std::vector<glm::vec4> pixels = read<glm::vec4>(id);
+    for (size_t i = 0; i < layer.values.size(); ++i)
+      if (const auto axis = int(i % 3); !std::isnan(pixels[i / 3].w))
+        layer.values[i] = float(double(layer.values[i]) + origin_[axis]);
   }
 
   static void make_opaque(Layer& beauty) {
@@ -66,6 +88,7 @@ class Developer {
 
   gpu::Recorder& recorder_;
   const Film& film_;
+  const glm::dvec3& origin_;
   const std::optional<glm::vec3>& background_;
   float scale_;
 };
@@ -73,9 +96,13 @@ class Developer {
 }  // namespace
 
 Picture take_picture(gpu::Recorder& recorder, const Film& film, const raster::CameraView& view,
-                     const std::optional<glm::vec3>& background) {
-  Picture picture{film.size.width, film.size.height, {}, view.world_to_camera(), view.world_to_ndc()};
-  const Developer developer(recorder, film, background);
+                     const glm::dvec3& origin, const std::optional<glm::vec3>& background) {
+  Picture picture{film.size.width,
+                  film.size.height,
+                  {},
+                  from_origin(view.world_to_camera(), origin),
+                  from_origin(view.world_to_ndc(), origin)};
+  const Developer developer(recorder, film, origin, background);
   for (const LayerId id : film.layers.members()) picture.layers.push_back(developer.layer(id));
   return picture;
 }

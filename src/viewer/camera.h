@@ -14,7 +14,7 @@ struct Sight {
   glm::vec3 origin, direction;
 };
 
-/// Looks at `pivot` from `distance` metres. Angles in radians; with both 0 it stands at the front (+Z in glTF). An
+/// Looks at `pivot` from `distance` metres, in the drawn world (scene::Scene::origin). Angles in radians; with both 0 it stands at the front (+Z in glTF). An
 /// orthographic camera shows as much of the plane through the pivot as in perspective, and stands at `stand_off`.
 struct OrbitCamera {
   glm::vec3 pivot{0};
@@ -29,7 +29,7 @@ struct OrbitCamera {
   [[nodiscard]] glm::vec3 right() const;
   [[nodiscard]] glm::vec3 up() const;
   [[nodiscard]] glm::vec3 eye() const { return pivot + back() * (orthographic ? stand_off : distance); }
-  /// The options that render this view.
+  /// The options that render this view, but for the world that its places are in.
   [[nodiscard]] ViewOption view() const;
   /// The line of sight through a point of the image, -1..1 an axis, y up. Its direction is a unit vector.
   [[nodiscard]] Sight sight(glm::vec2 place, float aspect) const;

@@ -41,7 +41,14 @@ void settle_lights(Model& m) {
   const raster::CameraView view = view_of(m);
   const scene::LightRig rig = scene::resolve_lights(*m.scene(), lights, m.bounds, {view.eye, view.right, view.up});
   lights.clear();
-  for (const shared::Light& light : rig.fixed) lights.push_back({glm::vec3(light.position), light.colour.x});
+  for (const shared::Light& light : rig.fixed)
+    lights.push_back({m.scene()->in_file(glm::vec3(light.position)), light.colour.x, light.colour.w != 0});
+}
+
+/// The view of the camera, which moves in the drawn world, in the file's coordinates.
+ViewOption in_file(const scene::Scene& scene, ViewOption view) {
+  view.eye = scene.in_file(glm::vec3(*view.eye)), view.target = scene.in_file(glm::vec3(*view.target));
+  return view;
 }
 
 float usual_distance(const Model& m, const raster::CameraView& view) {
@@ -188,7 +195,7 @@ Wish Model::wish() const {
   options.layers.add(row_of(left.show).layers);
   if (split) options.layers.add(row_of(right.show).layers);
   if (exr_wanted) options.layers.add(command.options.layers);
-  if (own_view) options.view = camera.view(), options.camera.clear();
+  if (own_view) options.view = scene() ? in_file(*scene(), camera.view()) : camera.view(), options.camera.clear();
   const bool order = left.show == Show::order || (split && right.show == Show::order);
   const bool boxes = show_bounds && has_object_hierarchy();
   if (order || show_nodes || boxes) wish.node_kind = node_kind;

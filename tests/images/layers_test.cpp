@@ -91,8 +91,8 @@ TEST_CASE("P is where Z and the camera say, and 0 where nothing is") {
       continue;
     }
     ++met;
-    CHECK((picture.world_to_camera * glm::vec4(point, 1)).z == doctest::Approx(z[pixel]).epsilon(1e-5));
-    const glm::vec4 at = picture.world_to_ndc * glm::vec4(point, 1);
+    CHECK((picture.world_to_camera * glm::dvec4(point, 1)).z == doctest::Approx(z[pixel]).epsilon(1e-5));
+    const glm::dvec4 at = picture.world_to_ndc * glm::dvec4(point, 1);
     CHECK(at.x / at.w * 40 == doctest::Approx(pixel % 40 + 0.5).epsilon(1e-3));
     CHECK(at.y / at.w * 30 == doctest::Approx(pixel / 40 + 0.5).epsilon(1e-3));
   }

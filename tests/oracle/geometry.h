@@ -13,7 +13,7 @@ namespace crsh::test {
 
 struct OracleTriangle {
   glm::vec3 a{0}, b{0}, c{0};  ///< counter-clockwise seen from the front
-  bool single_sided = false;   ///< reflection and refraction rays pass its back
+  bool single_sided = false;   ///< reflection and refraction rays pass its back, and shadow rays past backs
   bool transmissive = false;   ///< shadow rays are tinted, not blocked
   glm::uvec3 tint{0};          ///< by this, -log2 in 16.16 fixed point
 };

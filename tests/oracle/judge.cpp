@@ -18,7 +18,7 @@ const glm::uvec3 blocked(0xFFFFFFFFu);
 /// What the GPU made of a ray.
 struct Traced {
   OracleRay ray;
-  bool shadow = false;
+  bool shadow = false, past_backs = false;
   uint32_t hit = shared::none;
   float t = 0;
   glm::uvec3 transmittance{0};
@@ -27,6 +27,7 @@ struct Traced {
 Traced traced(const RayTable& rays, uint32_t row) {
   return {{rays.origin[row], rays.direction[row], rays.tmax[row]},
           ray_kinds[rays.kind[row]].any_hit,
+          rays.past_backs[row] != 0,
           rays.hit[row],
           rays.t[row],
           rays.transmittance[row]};
@@ -73,10 +74,18 @@ glm::uvec3 passed(const glm::uvec3& before, const OracleTriangle& triangle) {
   return triangle.transmissive ? saturating_sum(before, triangle.tint) : blocked;
 }
 
+/// Whether the ray passes the triangle, whose back it meets.
+bool passes(const Traced& traced, const OracleTriangle& triangle) {
+  const glm::dvec3 a(triangle.a), normal = glm::cross(glm::dvec3(triangle.b) - a, glm::dvec3(triangle.c) - a);
+  return traced.past_backs && triangle.single_sided && glm::dot(normal, glm::dvec3(traced.ray.direction)) > 0;
+}
+
 bool agrees(const Traced& traced, const Embree& embree, const std::vector<OracleTriangle>& triangles) {
   if (traced.shadow) {
     glm::uvec3 words(0);
-    for (const Crossing& crossing : embree.all(traced.ray)) words = passed(words, triangles[crossing.triangle]);
+    for (const Crossing& crossing : embree.all(traced.ray))
+      if (const OracleTriangle& triangle = triangles[crossing.triangle]; !passes(traced, triangle))
+        words = passed(words, triangle);
     return words == traced.transmittance;
   }
   const auto closest = embree.closest(traced.ray);
@@ -98,7 +107,8 @@ Met meet(const Traced& traced, const OracleTriangle& triangle, uint32_t number) 
   const glm::dvec3 ab = glm::dvec3(triangle.b) - a, ac = glm::dvec3(triangle.c) - a, from_a = origin - a;
   const glm::dvec3 p = glm::cross(direction, ac), q = glm::cross(from_a, ab);
   const double determinant = glm::dot(ab, p);  // positive: the ray meets the front
-  if (determinant == 0 || (!traced.shadow && triangle.single_sided && determinant < 0)) return {};
+  const bool passes_backs = !traced.shadow || traced.past_backs;
+  if (determinant == 0 || (passes_backs && triangle.single_sided && determinant < 0)) return {};
   const double v = glm::dot(from_a, p) / determinant, w = glm::dot(direction, q) / determinant;
   const double t = glm::dot(ac, q) / determinant, inside = std::min({v, w, 1 - v - w}), end = traced.ray.tmax;
   if (inside < -margin || t <= 0 || t > end * (1 + margin)) return {};

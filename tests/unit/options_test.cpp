@@ -112,7 +112,7 @@ TEST_CASE("values are read as they are written") {
                        "--frames", "3..5", "--max-memory", "256", "--layers", "Z,beauty", "-o", "-", "--seed",
                        "4294967295"});
   const cli::RenderCommand& command = parsed.command;
-  CHECK(command.options.view.eye == glm::vec3(-12, 3, 0.5f));
+  CHECK(command.options.view.eye == glm::dvec3(-12, 3, 0.5));
   CHECK(command.exposure == -1.5f);
   CHECK_FALSE(command.options.background);
   CHECK(command.options.rays == test::only({shared::kind_shadow}));

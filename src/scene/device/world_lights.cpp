@@ -13,9 +13,9 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 glm::vec3 centre_of(const Bounds& bounds) { return bounds.empty() ? glm::vec3(0) : (bounds.low + bounds.high) * 0.5f; }
 float radius_of(const Bounds& bounds) { return bounds.empty() ? 1.0f : glm::length(bounds.high - bounds.low) * 0.5f; }
 
-shared::Light point_light(glm::vec3 position, glm::vec3 intensity) {
-  return {glm::vec4(position, float(shared::light_point)), glm::vec4(0, 0, -1, infinity), glm::vec4(intensity, 0),
-          glm::vec4(0, 1, 0, 0)};
+shared::Light point_light(glm::vec3 position, float candela, bool past_backs) {
+  return {glm::vec4(position, float(shared::light_point)), glm::vec4(0, 0, -1, infinity),
+          glm::vec4(glm::vec3(candela), past_backs ? 1 : 0), glm::vec4(0, 1, 0, 0)};
 }
 
 /// The intensity that lights the middle of the scene with π lux, whatever its scale, so that white walls there have 1
@@ -24,23 +24,25 @@ float default_candela(float distance, size_t count) {
   return float(std::numbers::pi * double(distance) * distance / double(count));
 }
 
-LightRig rig_of_options(std::span<const LightOption> options, const Bounds& bounds) {
+LightRig rig_of_options(const Scene& scene, std::span<const LightOption> options, const Bounds& bounds) {
   LightRig rig;
   for (const LightOption& option : options) {
+    const glm::vec3 at = scene.drawn(option.position);
     const float candela =
-        option.candela.value_or(default_candela(glm::distance(option.position, centre_of(bounds)), options.size()));
-    rig.fixed.push_back(point_light(option.position, glm::vec3(candela)));
-    if (!option.candela) rig.chosen.push_back({option.position, candela});
+        option.candela.value_or(default_candela(glm::distance(at, centre_of(bounds)), options.size()));
+    rig.fixed.push_back(point_light(at, candela, option.past_backs));
+    if (!option.candela) rig.chosen.push_back({option.position, candela, option.past_backs});
   }
   return rig;
 }
 
-/// The default light: above and to the right of the eye, at a tenth of the eye's distance to the middle of the scene.
-LightRig rig_of_default(const Bounds& bounds, const Viewpoint& viewpoint) {
+/// The default light: above and to the right of the eye, at a tenth of the eye's distance to the middle of the scene. It
+/// shines past backs, so that it never stands behind walls that the eye looks past: into a doll's house.
+LightRig rig_of_default(const Scene& scene, const Bounds& bounds, const Viewpoint& viewpoint) {
   const float away = std::max(glm::distance(viewpoint.eye, centre_of(bounds)), radius_of(bounds) * 0.5f);
-  const glm::vec3 at = viewpoint.eye + (viewpoint.right + viewpoint.up) * (0.1f * away);
+  const glm::dvec3 at = scene.in_file(viewpoint.eye + (viewpoint.right + viewpoint.up) * (0.1f * away));
   const float candela = default_candela(away, 1);
-  return {{point_light(at, glm::vec3(candela))}, {{at, candela}}};
+  return {{point_light(scene.drawn(at), candela, true)}, {{at, candela, true}}};
 }
 
 glm::vec3 shines_along(const glm::mat4& transform) {
@@ -70,9 +72,9 @@ shared::Light world_light(const Light& light, const glm::mat4& transform, const 
 
 LightRig resolve_lights(const Scene& scene, std::span<const LightOption> options, const Bounds& bounds,
                         const Viewpoint& viewpoint) {
-  if (!options.empty()) return rig_of_options(options, bounds);
+  if (!options.empty()) return rig_of_options(scene, options, bounds);
   if (!scene.lights.empty()) return {};
-  return rig_of_default(bounds, viewpoint);
+  return rig_of_default(scene, bounds, viewpoint);
 }
 
 std::vector<shared::Light> world_lights(const Scene& scene, const Pose& pose, const LightRig& rig,

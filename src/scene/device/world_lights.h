@@ -1,5 +1,5 @@
 #pragma once
-// Lights in world space, as shaders see them.
+// Lights in the drawn world, as shaders see them.
 
 #include <span>
 #include <vector>
@@ -13,7 +13,8 @@ namespace crsh::scene {
 /// The lights of a run, the same for all its frames.
 struct LightRig {
   std::vector<shared::Light> fixed;  ///< from the options, or the default light; empty: the file's, which nodes carry
-  std::vector<LightOption> chosen;   ///< lights whose intensity or place was chosen here, as options for the same
+  /// Lights whose intensity or place was chosen here, as options for the same, in the file's coordinates.
+  std::vector<LightOption> chosen;
 };
 
 /// Where the eye is and what it calls right and up, for the light of a scene that has none.
@@ -22,7 +23,8 @@ struct Viewpoint {
 };
 
 /// `bounds`: the scene's at time 0. A light of the options without intensity gets π·d² ÷ their number candela, d from
-/// the centre of the bounds. Where neither the options nor the file have lights, one hangs beside the viewpoint.
+/// the centre of the bounds. Where neither the options nor the file have lights, one hangs beside the viewpoint and shines
+/// past backs.
 [[nodiscard]] LightRig resolve_lights(const Scene& scene, std::span<const LightOption> options, const Bounds& bounds,
                                       const Viewpoint& viewpoint);
 

@@ -14,6 +14,7 @@
 #include "scene/gltf/nodes.h"
 #include "scene/gltf/texcoords.h"
 #include "scene/gltf/variants.h"
+#include "scene/origin.h"
 #include "scene/properties.h"
 #include "scene/tangents.h"
 
@@ -83,6 +84,7 @@ Scene read(const std::filesystem::path& path, const LoadOptions& options) {
   read_animations(document, {nodes, cameras, lights}, scene, notes);
   drop_hidden(scene);
   check_transforms(scene);
+  choose_origin(scene);
   return scene;
 }
 

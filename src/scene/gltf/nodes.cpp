@@ -57,25 +57,25 @@ std::vector<int> root_nodes(const tinygltf::Model& model) {
   return out;
 }
 
-/// The numbers of a field, or `otherwise` where the file has none.
+/// The numbers of a field, or `otherwise` where the file has none. A Fault where one is none, or more than floats hold.
 template <size_t N>
-std::array<float, N> floats(const std::vector<double>& from, const std::string& name,
-                            const std::array<float, N>& otherwise) {
+std::array<double, N> numbers(const std::vector<double>& from, const std::string& name,
+                              const std::array<double, N>& otherwise) {
   if (from.size() != N) return otherwise;
-  std::array<float, N> out;
-  for (size_t i = 0; i < N; ++i) out[i] = finite(from[i], name);
+  std::array<double, N> out;
+  for (size_t i = 0; i < N; ++i) (void)finite(from[i], name), out[i] = from[i];
   return out;
 }
 
-glm::vec3 vec3_of(const std::vector<double>& from, const std::string& name, float otherwise) {
-  return glm::make_vec3(floats<3>(from, name, {otherwise, otherwise, otherwise}).data());
+glm::dvec3 vec3_of(const std::vector<double>& from, const std::string& name, double otherwise) {
+  return glm::make_vec3(numbers<3>(from, name, {otherwise, otherwise, otherwise}).data());
 }
 
 /// glTF writes x, y, z, w. What is not of unit length is made so, zero is no rotation.
 glm::quat rotation_of(const std::vector<double>& from, const std::string& name) {
   if (from.empty()) return {1, 0, 0, 0};
-  const auto v = floats<4>(from, name, {0, 0, 0, 1});
-  const glm::dquat rotation(v[3], v[0], v[1], v[2]);
+  const auto v = numbers<4>(from, name, {0, 0, 0, 1});
+  const glm::dquat rotation(glm::quat(glm::dquat(v[3], v[0], v[1], v[2])));
   const double length = glm::length(rotation);
   return length > 0 ? glm::quat(rotation / length) : glm::quat(1, 0, 0, 0);
 }
@@ -84,7 +84,7 @@ Node read_node(const tinygltf::Node& from, const std::string& where, std::option
   Node out;
   out.name = from.name;
   out.parent = parent;
-  if (!from.matrix.empty()) out.matrix = glm::make_mat4(floats<16>(from.matrix, where + ".matrix", {}).data());
+  if (!from.matrix.empty()) out.matrix = glm::make_mat4(numbers<16>(from.matrix, where + ".matrix", {}).data());
   out.transform = {vec3_of(from.translation, where + ".translation", 0),
                    rotation_of(from.rotation, where + ".rotation"), vec3_of(from.scale, where + ".scale", 1)};
   for (const double weight : from.weights) out.weights.push_back(finite(weight, where + ".weights"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "output/heat_map.h"
@@ -18,11 +19,19 @@ constexpr size_t max_nodes = 300;  // drawn of a level
 constexpr float widest = 1.2f;     // radians: wider cones are not drawn
 constexpr int circle_steps = 32, cone_lines = 8;
 
-/// Draws lines of the world where the picture shows them.
+/// The picture's matrix, which is for the file's coordinates, for those of the drawn world.
+glm::mat4 of_drawn(const glm::dmat4& matrix, const glm::dvec3& origin) {
+  return glm::mat4(glm::translate(matrix, origin));
+}
+
+/// Draws lines of the drawn world where the picture shows them.
 class Pen {
  public:
-  Pen(ImDrawList& list, const Picture& picture, const Layout& layout)
-      : list_(list), to_image_(picture.world_to_ndc), to_camera_(picture.world_to_camera), layout_(layout) {}
+  Pen(ImDrawList& list, const Picture& picture, const glm::dvec3& origin, const Layout& layout)
+      : list_(list),
+        to_image_(of_drawn(picture.world_to_ndc, origin)),
+        to_camera_(of_drawn(picture.world_to_camera, origin)),
+        layout_(layout) {}
 
   void line(glm::vec3 a, glm::vec3 b, ImU32 colour) const {
     glm::vec4 p = to_image_ * glm::vec4(a, 1), q = to_image_ * glm::vec4(b, 1);
@@ -67,8 +76,7 @@ class Pen {
   }
 
   ImDrawList& list_;
-  const glm::mat4& to_image_;
-  const glm::mat4& to_camera_;
+  glm::mat4 to_image_, to_camera_;
   const Layout& layout_;
 };
 
@@ -144,7 +152,8 @@ void draw_bounds(const Pen& pen, const Model& model) {
 }  // namespace
 
 void draw_nodes_and_boxes(const Model& model, const Layout& layout) {
-  const Pen pen(*ImGui::GetBackgroundDrawList(), model.left.shown->picture, layout);
+  const glm::dvec3 origin = model.scene() ? model.scene()->origin : glm::dvec3(0);
+  const Pen pen(*ImGui::GetBackgroundDrawList(), model.left.shown->picture, origin, layout);
   if (model.show_bounds && model.scene()) draw_bounds(pen, model);
   if (model.show_nodes && model.left.node_frame) draw_chosen_nodes(pen, model, layout);
 }

@@ -16,7 +16,7 @@ namespace {
 void draw_light(LightOption& light, size_t index) {
   ImGui::PushID(int(index));
   ImGui::SetNextItemWidth(-1);
-  ImGui::DragFloat3("##place", &light.position.x, 0.05f, 0, 0, "%.2f m");
+  ImGui::DragScalarN("##place", ImGuiDataType_Double, &light.position.x, 3, 0.05f, nullptr, nullptr, "%.2f m");
   ImGui::SetNextItemWidth(-1);
   float candela = light.candela.value_or(0);
   if (ImGui::DragFloat("##candela", &candela, std::max(candela * 0.01f, 0.01f), 0, 1e9f, "%.4g candela"))
@@ -29,7 +29,8 @@ void add_light(Model& model) {
   model.begin_own_view();
   const glm::vec3 at = model.camera.eye(), middle = (model.bounds.low + model.bounds.high) * 0.5f;
   const float distance = model.bounds.empty() ? 1 : std::max(glm::distance(at, middle), 1e-3f);
-  model.command.options.lights.push_back({at, float(std::numbers::pi) * distance * distance});
+  model.command.options.lights.push_back(
+      {model.scene() ? model.scene()->in_file(at) : glm::dvec3(at), float(std::numbers::pi) * distance * distance});
 }
 
 void draw_lights(Model& model, Widgets& widgets) {
