@@ -190,9 +190,8 @@ CRSH_CONST uint light_directional = 2u;
 struct Light {
   vec4 position;   ///< xyz; w: type
   vec4 direction;  ///< xyz: the way it shines, unit; w: range in metres (infinite: no end)
-  vec4
-      colour;  ///< rgb: colour times candela (point, spot) or lux (directional); w: 1: its shadow rays pass backs as the eye does
-  vec4 cone;  ///< spot: x = scale, y = offset of the angular attenuation (KHR_lights_punctual)
+  vec4 colour;     ///< rgb: colour times candela (point, spot) or lux (directional); w: 1: shines past backs
+  vec4 cone;       ///< spot: x = scale, y = offset of the angular attenuation (KHR_lights_punctual)
 };
 
 CRSH_SHARED_END

@@ -37,7 +37,8 @@ struct Comparison {
 };
 
 /// Compares the channels of `layers` ("beauty" is R, G, B, A; "all"). The difference of two values is absolute for
-/// PNG, |a-b| / max(|a|, |b|, 0.01) for OpenEXR, and 1 for unequal ids, whether float or uint; infinite where only one is not a number.
+/// PNG, |a-b| / max(|a|, |b|, 0.01) for OpenEXR, and 1 for unequal ids, float or uint; infinite where only one is not a
+/// number.
 /// Throws UserError for a layer in neither image and for images of two formats.
 [[nodiscard]] Comparison compare(const Image& a, const Image& b, const std::vector<std::string>& layers,
                                  const Tolerance& tolerance);

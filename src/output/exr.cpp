@@ -51,7 +51,8 @@ half clamped_half(float value, uint64_t& clamped) {
   return half(std::isnan(value) ? value : std::clamp(value, -largest_half, largest_half));
 }
 
-/// The values of layers as half floats, and whole numbers as floats, kept until the file is written because the frame buffer points to them.
+/// The values of layers as half floats, and whole numbers as floats, kept until the file is written because the frame
+/// buffer points to them.
 struct Converted {
   std::list<std::vector<half>> layers;
   std::list<std::vector<float>> numbers;

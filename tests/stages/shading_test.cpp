@@ -268,7 +268,7 @@ TEST_CASE("the film averages samples, keeps the first one's geometry, and knows 
       recorder.submit();
     }
     const std::optional<glm::vec3> background = opaque ? std::optional(glm::vec3(1)) : std::nullopt;
-    const Picture picture = shading::take_picture(recorder, film, raster::CameraView{}, background);
+    const Picture picture = shading::take_picture(recorder, film, raster::CameraView{}, glm::dvec3(0), background);
     CHECK(picture.find("")->values == std::vector<float>{1, 1, 1, opaque ? 1.0f : 0.0f, 2, 4, 6, opaque ? 1.0f : 0.5f});
     CHECK(picture.find("Z")->values == std::vector<float>{1e10f, 3});
     CHECK(picture.find("N")->values == std::vector<float>{0, 0, 0, 0, 0, 1});

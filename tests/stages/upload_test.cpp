@@ -137,7 +137,8 @@ TEST_CASE("a light without intensity gets pi d2 over their number, and says so")
   CHECK(rig.fixed[0].colour.r == doctest::Approx(M_PI * 16 / 2));
   CHECK(rig.fixed[1].colour.g == 7.0f);
   REQUIRE(rig.chosen.size() == 1);
-  CHECK(rig.chosen[0].position == glm::vec3(1, 5, 1));
+  CHECK(rig.chosen[0].position == glm::dvec3(1, 5, 1));
+  CHECK_FALSE(rig.chosen[0].past_backs);
   CHECK(rig.chosen[0].candela == rig.fixed[0].colour.r);
 }
 
@@ -148,7 +149,7 @@ TEST_CASE("a scene without lights gets one beside the eye; a scene with lights k
   REQUIRE(rig.fixed.size() == 1);
   CHECK(rig.fixed[0].position.x > 0);
   CHECK(rig.fixed[0].position.y > 0);
-  CHECK(rig.chosen.at(0) == LightOption{glm::vec3(rig.fixed[0].position), rig.fixed[0].colour.r});
+  CHECK(rig.chosen.at(0) == LightOption{scene.in_file(glm::vec3(rig.fixed[0].position)), rig.fixed[0].colour.r, true});
   scene.lights.emplace_back();
   CHECK(scene::resolve_lights(scene, {}, bounds, {}).fixed.empty());
 }

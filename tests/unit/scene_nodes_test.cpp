@@ -22,6 +22,11 @@ GltfText with_nodes(const std::string& nodes, const std::string& scenes = R"("sc
 
 glm::vec3 origin_of(const glm::mat4& m) { return glm::vec3(m[3]); }
 
+/// Of the scene's instance, in the file's coordinates.
+glm::dvec3 place_of(const scene::Scene& scene, size_t instance) {
+  return scene.origin + glm::dvec3(origin_of(scene.pose(0, {}).instances.at(instance)));
+}
+
 }  // namespace
 
 TEST_CASE("transforms and matrices multiply down the hierarchy, children listed before their parents too") {
@@ -32,12 +37,13 @@ TEST_CASE("transforms and matrices multiply down the hierarchy, children listed 
           .load();
   const scene::Pose pose = scene.pose(0, {});
   REQUIRE(pose.instances.size() == 2);
-  CHECK(origin_of(pose.instances[0]) == glm::vec3(21, 2, 3));
-  CHECK(origin_of(pose.instances[1]) == glm::vec3(21, 2, 5));
-  CHECK(glm::vec3(pose.instances[1] * glm::vec4(1, 0, 0, 1)) == glm::vec3(21, 4, 5));
+  CHECK(place_of(scene, 0) == glm::dvec3(21, 2, 3));
+  CHECK(place_of(scene, 1) == glm::dvec3(21, 2, 5));
+  const glm::vec3 origin(scene.origin);
+  CHECK(glm::vec3(pose.instances[1] * glm::vec4(1, 0, 0, 1)) + origin == glm::vec3(21, 4, 5));
   const scene::Bounds bounds = scene.bounds(pose);
-  CHECK(bounds.low == glm::vec3(19, 2, 3));
-  CHECK(bounds.high == glm::vec3(21, 4, 5));
+  CHECK(bounds.low + origin == glm::vec3(19, 2, 3));
+  CHECK(bounds.high + origin == glm::vec3(21, 4, 5));
   CHECK(scene.meshes.size() == 1);
   CHECK(scene.triangle_count() == 2);
 }
@@ -53,7 +59,7 @@ TEST_CASE("rotations that are not unit are made so, zero is none") {
 TEST_CASE("a scene is chosen by index or name, else the default one, else the first") {
   GltfText file = with_nodes(R"({"mesh":0},{"mesh":0,"translation":[5,0,0]})",
                              R"("scenes":[{"name":"left","nodes":[0]},{"name":"right","nodes":[1]}])");
-  const auto x = [&](const std::string& which) { return origin_of(file.load(which).pose(0, {}).instances.at(0)).x; };
+  const auto x = [&](const std::string& which) { return place_of(file.load(which), 0).x; };
   CHECK(x("") == 0);
   CHECK(x("1") == 5);
   CHECK(x("right") == 5);
@@ -113,5 +119,5 @@ TEST_CASE("a hundred thousand nested nodes are no trouble") {
   std::string nodes = R"({"mesh":0,"translation":[0,0,1]})";
   for (int i = 0; i < 100000; ++i) nodes += R"(,{"children":[)" + std::to_string(i) + R"(],"translation":[0,0,1]})";
   const scene::Scene scene = with_nodes(nodes, R"("scenes":[{"nodes":[100000]}])").load();
-  CHECK(origin_of(scene.pose(0, {}).instances.at(0)).z == 100001);
+  CHECK(place_of(scene, 0).z == 100001);
 }

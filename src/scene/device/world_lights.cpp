@@ -36,8 +36,8 @@ LightRig rig_of_options(const Scene& scene, std::span<const LightOption> options
   return rig;
 }
 
-/// The default light: above and to the right of the eye, at a tenth of the eye's distance to the middle of the scene. It
-/// shines past backs, so that it never stands behind walls that the eye looks past: into a doll's house.
+/// The default light: above and to the right of the eye, at a tenth of the eye's distance to the middle of the scene.
+/// It shines past backs, so that it never stands behind walls that the eye looks past: into a doll's house.
 LightRig rig_of_default(const Scene& scene, const Bounds& bounds, const Viewpoint& viewpoint) {
   const float away = std::max(glm::distance(viewpoint.eye, centre_of(bounds)), radius_of(bounds) * 0.5f);
   const glm::dvec3 at = scene.in_file(viewpoint.eye + (viewpoint.right + viewpoint.up) * (0.1f * away));

@@ -23,8 +23,8 @@ struct Viewpoint {
 };
 
 /// `bounds`: the scene's at time 0. A light of the options without intensity gets π·d² ÷ their number candela, d from
-/// the centre of the bounds. Where neither the options nor the file have lights, one hangs beside the viewpoint and shines
-/// past backs.
+/// the centre of the bounds. Where neither the options nor the file have lights, one hangs beside the viewpoint,
+/// and shines past backs.
 [[nodiscard]] LightRig resolve_lights(const Scene& scene, std::span<const LightOption> options, const Bounds& bounds,
                                       const Viewpoint& viewpoint);
 
