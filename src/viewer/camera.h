@@ -14,8 +14,9 @@ struct Sight {
   glm::vec3 origin, direction;
 };
 
-/// Looks at `pivot` from `distance` metres, in the drawn world (scene::Scene::origin).
-/// Angles in radians; with both 0 it stands at the front (+Z in glTF). An orthographic camera shows as much of the plane through the pivot as in perspective, and stands at `stand_off`.
+/// Looks at `pivot` from `distance` metres, in the drawn world (scene::Scene::origin). Angles in radians; with both
+/// 0 it stands at the front (+Z in glTF). An orthographic camera shows as much of the plane through the pivot as in
+/// perspective, and stands at `stand_off`.
 struct OrbitCamera {
   glm::vec3 pivot{0};
   float distance = 1, yaw = 0, pitch = 0;
