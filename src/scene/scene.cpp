@@ -128,7 +128,9 @@ Pose Scene::pose(double seconds, const std::vector<uint32_t>& playing) const {
   out.joints = joint_matrices(*this, world);
   out.weights = morph_weights(*this, now.nodes);
   for (size_t i = 0; i < instances.size(); ++i) {
-    if (instances[i].local) out.instances[i] = drawn(world[instances[i].node] * glm::dmat4(*instances[i].local), lacking(*this, instances[i]));
+    if (instances[i].local)
+      out.instances[i] =
+          drawn(world[instances[i].node] * glm::dmat4(*instances[i].local), lacking(*this, instances[i]));
     if (instances[i].skin) out.instances[i] = glm::mat4(1);
   }
   hide_invisible(*this, now.nodes, world, out);

@@ -77,7 +77,7 @@ TEST_CASE("meshoptimizer's filters: octahedral normals, quaternions, exponents, 
   // 3 times 2 to the power of -1, and of 0.
   const std::vector<uint32_t> exponents(8, 0xFF000003u);
   const scene::Scene coordinates = filtered(exponents.data(), 8, "EXPONENTIAL", "VEC2", 5126, "TEXCOORD_0");
-  CHECK(coordinates.meshes[0].uv0.at(0) == glm::vec2(1.5f));
+  CHECK(coordinates.meshes[0].uv[0].at(0) == glm::vec2(1.5f));
   // Luma 128, no chroma, alpha 127 of 7 bits: grey 128, opaque.
   std::vector<uint8_t> colours;
   for (int i = 0; i < 4; ++i) colours.insert(colours.end(), {128, 0, 0, 255});

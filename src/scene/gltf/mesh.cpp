@@ -195,7 +195,8 @@ class MeshReader {
   [[nodiscard]] Layout layout_of(const tinygltf::Primitive& primitive) const {
     Layout layout;
     for (size_t a = 0; a < layout.size(); ++a)
-      if (const auto found = primitive.attributes.find(name_of(a, options_.texcoords)); found != primitive.attributes.end())
+      if (const auto found = primitive.attributes.find(name_of(a, options_.texcoords));
+          found != primitive.attributes.end())
         layout[a] = found->second;
     return layout;
   }
@@ -267,8 +268,7 @@ void fill_up(Mesh& mesh) {
 
 }  // namespace
 
-Mesh read_mesh(Document& document, int64_t index, uint32_t default_material, Notes& notes,
-               const MeshOptions& options) {
+Mesh read_mesh(Document& document, int64_t index, uint32_t default_material, Notes& notes, const MeshOptions& options) {
   const tinygltf::Mesh& from = at(document.model().meshes, index, "meshes");
   const std::string where = place("meshes", index) + ".primitives";
   MeshReader reader(document, notes, default_material, options);
