@@ -1,7 +1,7 @@
 #version 460
 // Sums up a 64-bit hash of each ray's hit, pixel, path and light over a segment: two digests are equal where all hits
-// are, in whatever order the rays come. It also counts the rays that hit, and how often alpha was asked for. A lane takes several rays, so that subgroups
-// add to memory less often.
+// are, in whatever order the rays come. It also counts the rays that hit, and how often alpha was asked for. A lane
+// takes several rays, so that subgroups add to memory less often.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require

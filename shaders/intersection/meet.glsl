@@ -1,6 +1,6 @@
 // What happens where a ray meets a triangle (section 3.2.6), the same for every kernel that tests rays: the test of
-// lib/triangle.glsl, then alpha where the triangle has any, then the closest hit, with ties to the lower id, or a shadow
-// ray's transmittance. It uses bindings 0 to 4 and set 1.
+// lib/triangle.glsl, then alpha where the triangle has any, then the closest hit, with ties to the lower id, or a
+// shadow ray's transmittance. It uses bindings 0 to 4 and set 1.
 
 #include "intersection/no_hit.glsl"
 #include "intersection/sheer_tables.glsl"

@@ -1,7 +1,7 @@
 #version 460
 // The raster pass (section 3.1), vertices: corners come from the scene's tables, the projection has its depth reversed
-// and a perspective eye no far end unless its camera has one. A triangle whose back lets eye rays pass and faces the eye is put outside the
-// image.
+// and a perspective eye no far end unless its camera has one. A triangle whose back lets eye rays pass and faces the
+// eye is put outside the image.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_samplerless_texture_functions : require

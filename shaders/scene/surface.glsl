@@ -192,7 +192,8 @@ float coverage_at(uint triangle, vec3 weights) {
   return !is_there(sheer, alpha) ? -1.0 : is_blended(sheer) ? alpha : 1.0;
 }
 
-/// The surface, wholly there, that a ray along the unit vector `incoming` meets at a point of a triangle with this material.
+/// The surface, wholly there, that a ray along the unit vector `incoming` meets at a point of a triangle with this
+/// material.
 Surface surface_of(Material material, Attributes at, Point point, vec3 incoming) {
   Texels texels = texels_at(material, slots_of_all, at, point, incoming);
   vec4 base = material.base_colour * at.colour * texels.base_colour;

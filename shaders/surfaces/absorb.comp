@@ -1,8 +1,8 @@
 #version 460
 // What solids take of the light that goes through them (KHR_materials_volume, Beer's law): the weights of one
 // closest-hit kind's rays are multiplied by what is left behind the way to their hit; and what a ray meets inside a
-// solid knows that. A ray that leaves the scene from inside is left as it is: such a mesh is not closed. Lane: a ray, in
-// creation order.
+// solid knows that. A ray that leaves the scene from inside is left as it is: such a mesh is not closed. Lane: a ray,
+// in creation order.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_samplerless_texture_functions : require

@@ -26,9 +26,9 @@ void write_rays(const std::filesystem::path& path, const RayTable& table);
 
 /// A file with origin, direction, tmax and kind, of float32 or float64 and of any integers; where the others are
 /// missing, bounce, past_backs, light, pixel, batch and centre are 0 and path is 1. Without kinds, 0 to 2 are
-/// shadow, reflection and refraction. Without image, rays stay in the file's order. What became of the rays is not read,
-/// but for `key`. Throws UserError that begins with the path: no archive, no such array, another shape or type, a number
-/// that no ray has.
+/// shadow, reflection and refraction. Without image, rays stay in the file's order. What became of the rays is not
+/// read, but for `key`. Throws UserError that begins with the path: no archive, no such array, another shape or type, a
+/// number that no ray has.
 [[nodiscard]] RayTable read_rays(const std::filesystem::path& path);
 
 }  // namespace crsh::output

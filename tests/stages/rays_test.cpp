@@ -75,7 +75,7 @@ glm::dvec3 moved(const Point& p, double by) { return glm::dvec3(p.position) + gl
 bool near(glm::dvec3 a, glm::dvec3 b, double tolerance) { return glm::distance(a, b) <= tolerance; }
 
 shared::Light light_at(glm::vec3 position, float range, glm::vec2 cone = {0, 1}, glm::vec3 axis = {0, 0, -1}) {
-  return {glm::vec4(position, 0), glm::vec4(axis, range), glm::vec4(1), glm::vec4(cone, 0, 0)};
+  return {glm::vec4(position, 0), glm::vec4(axis, range), glm::vec4(1, 1, 1, 0), glm::vec4(cone, 0, 0)};
 }
 
 TEST_CASE("shadow rays run from the light to the offset point, where it shines on the front and reaches it" *

@@ -45,7 +45,7 @@ inline HandMade upload_points(const std::vector<Point>& points) {
                    gpu::upload(d, incoming, "incoming"),
                    gpu::upload(d, diffuse, "diffuse"),
                    gpu::upload(d, specular, "specular"),
-                   gpu::upload(d, std::vector<float>(points.size(), 0.0f), "footprints"),
+                   gpu::upload(d, std::vector<glm::vec2>(points.size(), {0, 1}), "footprints"),
                    gpu::upload(d, std::vector<glm::vec4>(1, glm::vec4(0)), "no lobes"),
                    uint32_t(points.size())};
   made.generation.emission = gpu::upload(d, emission, "emission");

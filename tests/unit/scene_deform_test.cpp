@@ -42,7 +42,7 @@ const std::vector<float> whole = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 Positions drawn(const scene::Scene& scene, double seconds = 0, const std::vector<uint32_t>& animations = {}) {
   const scene::Pose pose = scene.pose(seconds, animations);
   Positions out = scene::posed_positions(scene, pose, 0);
-  for (glm::vec3& p : out) p = glm::vec3(pose.instances.at(0) * glm::vec4(p, 1));
+  for (glm::vec3& p : out) p = glm::vec3(scene.origin) + glm::vec3(pose.instances.at(0) * glm::vec4(p, 1));
   return out;
 }
 
@@ -173,7 +173,8 @@ TEST_CASE("the quick bounds of what deforms hold every vertex") {
   const scene::Scene scene = file.load();
   const scene::Pose pose = scene.pose(0, {});
   const scene::Bounds bounds = scene::posed_bounds(scene, pose, 0);
-  for (const glm::vec3& p : drawn(scene)) {
+  for (const glm::vec3& place : drawn(scene)) {
+    const glm::vec3 p = place - glm::vec3(scene.origin);
     CHECK(glm::all(glm::lessThanEqual(bounds.low, p)));
     CHECK(glm::all(glm::lessThanEqual(p, bounds.high)));
     const scene::Sphere sphere = scene::posed_sphere(scene, pose, 0);

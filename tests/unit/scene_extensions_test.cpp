@@ -60,7 +60,8 @@ TEST_CASE("an extension that stands in the file without being listed is read, or
   GltfText file = one_triangle();
   file.nodes = R"({"mesh":0,"extensions":{"EXT_a":{},"KHR_lights_punctual":{"light":0}}})";
   file.more =
-      R"(,"extensions":{"EXT_b":{"inner":[{"extensions":{"EXT_c":1}}]},"KHR_lights_punctual":{"lights":[{"type":"point"}]}},
+      R"(,"extensions":{"EXT_b":{"inner":[{"extensions":{"EXT_c":1}}]},
+"KHR_lights_punctual":{"lights":[{"type":"point"}]}},
 "extras":{"extensions":{"EXT_d":{}}})";
   const scene::Scene scene = file.load();
   CHECK(scene.lights.size() == 1);

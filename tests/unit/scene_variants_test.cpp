@@ -66,6 +66,6 @@ TEST_CASE("what hangs below a node that is not visible is not drawn and gives no
 "extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}})";
   const scene::Scene scene = file.load();
   CHECK(scene.instances.size() == 1);
-  CHECK(scene.lights.empty());
+  CHECK(scene.pose(0, {}).changes.lights.at(0).intensity == 0);
   CHECK(scene.cameras.at(0).far_plane == 7.0f);
 }

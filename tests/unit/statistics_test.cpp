@@ -61,7 +61,7 @@ TEST_CASE("the rays' members are there, the digest as 16 hexadecimal digits") {
   for (const auto& [name, value] : rays.items()) members.push_back(name);
   CHECK(members == std::vector<std::string>{"kind", "bounce", "count", "hits", "hits_digest", "chunks",
                                             "brute_force_tests", "mesh_tests", "box_tests", "object_tests", "levels",
-                                            "triangle_tests", "paper_tests", "total_tests"});
+                                            "triangle_tests", "alpha_tests", "paper_tests", "total_tests"});
   CHECK(rays["hits_digest"] == "0000000000abcdef");
   CHECK(rays["brute_force_tests"] == 1000);
   CHECK(rays["levels"][0]["mean_half_angle"] == 0.25);

@@ -63,9 +63,9 @@ constexpr Known known[] = {
     {"MSFT_packing_occlusionRoughnessMetallic", Support::adds},
     {"NV_materials_mdl", Support::adds},
     // Pictures and lights.
-    {"EXT_texture_avif", Support::adds},
-    {"EXT_texture_webp", Support::adds},
-    {"KHR_texture_basisu", Support::adds},
+    {"EXT_texture_avif", Support::done},
+    {"EXT_texture_webp", Support::done},
+    {"KHR_texture_basisu", Support::done},
     {"MSFT_texture_dds", Support::adds},
     {"EXT_lights_ies", Support::adds},
     {"EXT_lights_image_based", Support::adds},

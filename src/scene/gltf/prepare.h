@@ -37,8 +37,8 @@ struct Prepared {
                                ///< behind the file's own
 };
 
-/// A Fault where a field is of the wrong type or out of range, or a needed one is missing, but for the parts that may be
-/// broken: cameras, lights, accessors and the indices of primitives.
+/// A Fault where a field is of the wrong type or out of range, or a needed one is missing, but for the parts that may
+/// be broken: cameras, lights, accessors and the indices of primitives.
 [[nodiscard]] Prepared prepare(nlohmann::json root);
 
 }  // namespace crsh::scene
