@@ -34,7 +34,12 @@ bool meets_back(const OracleTriangle& triangle, const glm::dvec3& direction) {
   return glm::dot(normal, direction) > 0;
 }
 
-/// Takes note of a hit and goes on, or passes the back of a single-sided triangle.
+bool passed(const OracleTriangle& triangle, const glm::dvec3& direction, const glm::dvec2& weights) {
+  return (triangle.single_sided && meets_back(triangle, direction)) ||
+         (triangle.alpha && triangle.alpha->at(weights) < triangle.alpha->least);
+}
+
+/// Takes note of a hit and goes on, or passes the back of a single-sided triangle, or where alpha has cut it away.
 void filter(const RTCFilterFunctionNArguments* arguments) {
   const auto* triangles = static_cast<const OracleTriangle*>(arguments->geometryUserPtr);
   const Query& query = *reinterpret_cast<const Query*>(arguments->context);
@@ -42,8 +47,9 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
   const glm::dvec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
                              RTCRayN_dir_y(arguments->ray, arguments->N, 0),
                              RTCRayN_dir_z(arguments->ray, arguments->N, 0));
-  if (query.all) query.all->push_back({id, RTCRayN_tfar(arguments->ray, arguments->N, 0)});
-  if (query.all || (triangles[id].single_sided && meets_back(triangles[id], direction))) arguments->valid[0] = 0;
+  const glm::dvec2 weights(RTCHitN_u(arguments->hit, arguments->N, 0), RTCHitN_v(arguments->hit, arguments->N, 0));
+  if (query.all) query.all->push_back({id, RTCRayN_tfar(arguments->ray, arguments->N, 0), weights});
+  if (query.all || passed(triangles[id], direction, weights)) arguments->valid[0] = 0;
 }
 
 RTCRayHit traced(RTCScene scene, const OracleRay& ray, std::vector<Crossing>* all) {
@@ -98,7 +104,7 @@ Embree::~Embree() {
 std::optional<Crossing> Embree::closest(const OracleRay& ray) const {
   const RTCRayHit found = traced(state_->scene, ray, nullptr);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return Crossing{found.hit.primID, found.ray.tfar};
+  return Crossing{found.hit.primID, found.ray.tfar, {found.hit.u, found.hit.v}};
 }
 
 std::vector<Crossing> Embree::all(const OracleRay& ray) const {

@@ -19,6 +19,7 @@ struct OracleRay {
 struct Crossing {
   uint32_t triangle = 0;
   float t = 0;
+  glm::dvec2 weights{0};  ///< of the corners b and c
 };
 
 /// Its scene of these triangles, which must outlive it. Robust: no ray slips between triangles.
@@ -27,9 +28,10 @@ class Embree {
   explicit Embree(std::span<const OracleTriangle> triangles);
   ~Embree();
 
-  /// The nearest triangle whose front the ray meets, or whose back, where that does not let it pass.
+  /// The nearest triangle whose front the ray meets, or whose back, where that does not let it pass; where
+  /// alpha leaves it there.
   [[nodiscard]] std::optional<Crossing> closest(const OracleRay& ray) const;
-  /// Every triangle on the ray's way, once each.
+  /// Every triangle on the ray's way, once each, whatever its alpha.
   [[nodiscard]] std::vector<Crossing> all(const OracleRay& ray) const;
 
  private:

@@ -35,6 +35,22 @@ bool same_corner(const glm::vec3& found, const glm::mat4& transform, const glm::
   return !apart(found, glm::dvec3(m * glm::dvec4(position, 1)), size_of(m, position));
 }
 
+/// Of the scene's materials, in the order in which its triangles are drawn.
+std::vector<std::optional<OracleAlpha>> alphas(const scene::Scene& scene) {
+  const scene::Pose pose = first_pose(scene);
+  std::vector<std::optional<OracleAlpha>> out;
+  for (uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
+    const scene::Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
+    const bool mirrored = scene::is_mirrored(scene, pose, instance);
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      glm::uvec3 corners = mesh.triangles[t];
+      if (mirrored) std::swap(corners.y, corners.z);
+      out.push_back(oracle_alpha(scene, mesh, scene.materials[mesh.materials[t]], corners));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<OracleTriangle> oracle_triangles(const scene::Scene& scene) {
@@ -45,12 +61,13 @@ std::vector<OracleTriangle> oracle_triangles(const scene::Scene& scene) {
              b = recorder.read<glm::vec4>(target.corner_b, target.triangle_count),
              c = recorder.read<glm::vec4>(target.corner_c, target.triangle_count);
   const auto materials = recorder.read<shared::Material>(target.materials, scene.materials.size());
+  const std::vector<std::optional<OracleAlpha>> alpha = alphas(scene);
   std::vector<OracleTriangle> triangles;
   for (size_t i = 0; i < a.size(); ++i) {
     const uint32_t flags = std::bit_cast<uint32_t>(a[i].w);
     triangles.push_back({glm::vec3(a[i]), glm::vec3(b[i]), glm::vec3(c[i]), (flags & shared::triangle_cull_back) != 0,
                          (flags & shared::triangle_transmissive) != 0,
-                         glm::uvec3(materials.at(flags & shared::triangle_material_mask).tint)});
+                         glm::uvec3(materials.at(flags & shared::triangle_material_mask).tint), alpha.at(i)});
   }
   return triangles;
 }

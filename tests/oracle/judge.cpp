@@ -27,7 +27,7 @@ struct Traced {
 Traced traced(const RayTable& rays, uint32_t row) {
   return {{rays.origin[row], rays.direction[row], rays.tmax[row]},
           ray_kinds[rays.kind[row]].any_hit,
-          rays.past_backs[row] != 0,
+          !rays.past_backs.empty() && rays.past_backs[row] != 0,
           rays.hit[row],
           rays.t[row],
           rays.transmittance[row]};
@@ -50,12 +50,21 @@ double barycentric_resolution(const OracleRay& ray, const OracleTriangle& triang
   return std::max(margin, 0x1p-24 * reach / std::max(height, 1e-30));
 }
 
+double cosine_between(const OracleRay& ray, const OracleTriangle& triangle) {
+  const glm::dvec3 a(triangle.a), b(triangle.b), c(triangle.c);
+  return std::abs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), glm::dvec3(ray.direction)));
+}
+
+double weights_off(const OracleRay& ray, const OracleTriangle& triangle) {
+  return barycentric_resolution(ray, triangle, cosine_between(ray, triangle));
+}
+
 /// How well a distance can be known in float32, however short it is: four units in the last place of the largest
 /// coordinate, along the ray; and as far as the triangle's depths differ, what is known of the barycentric coordinates
 /// that weigh them.
 double resolution(const OracleRay& ray, const OracleTriangle& triangle) {
   const glm::dvec3 a(triangle.a), b(triangle.b), c(triangle.c), direction(ray.direction);
-  const double cosine = std::abs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), direction));
+  const double cosine = cosine_between(ray, triangle);
   const double size = std::max({largest(ray.origin), largest(a), largest(b), largest(c)});
   const auto [nearest, farthest] =
       std::minmax({glm::dot(a, direction), glm::dot(b, direction), glm::dot(c, direction)});
@@ -70,23 +79,63 @@ glm::uvec3 saturating_sum(const glm::uvec3& a, const glm::uvec3& b) {
   return sum;
 }
 
-glm::uvec3 passed(const glm::uvec3& before, const OracleTriangle& triangle) {
-  return triangle.transmissive ? saturating_sum(before, triangle.tint) : blocked;
+/// -log2 of what is let through, of which the GPU's words may be any.
+struct Words {
+  glm::uvec3 low{0}, high{0};
+};
+
+bool holds(const Words& words, const glm::uvec3& found) {
+  return glm::all(glm::lessThanEqual(words.low, found)) && glm::all(glm::lessThanEqual(found, words.high));
 }
 
-/// Whether the ray passes the triangle, whose back it meets.
-bool passes(const Traced& traced, const OracleTriangle& triangle) {
+/// Rounded down, and 0 where all is let through.
+uint32_t minus_log2(double through) {
+  return through > 0 ? uint32_t(std::max(std::log2(through) * -65536, 0.0)) : blocked.x;
+}
+
+/// What a sheet of this alpha lets through: all beside it, and of what meets it the tint, known to 10 bits.
+Words sheet(const Range& alpha, const OracleTriangle& triangle) {
+  Words words;
+  for (int channel = 0; channel < 3; ++channel) {
+    const uint32_t tint = triangle.tint[channel];
+    const double share = tint == blocked.x ? 0 : std::exp2(tint / -65536.0), off = share > 0 ? 0.51 / 1023 : 0;
+    const double most = 1 - alpha.low * (1 - std::min(share + off, 1.0));
+    const double least = 1 - alpha.high * (1 - std::max(share - off, 0.0));
+    const uint32_t low = minus_log2(most), high = minus_log2(least);
+    words.low[channel] = low == blocked.x || low == 0 ? low : low - 1;
+    words.high[channel] = high == blocked.x ? high : high + 2;
+  }
+  return words;
+}
+
+/// After what lies `before` it, where alpha is known to a range.
+Words passed(const Words& before, const OracleTriangle& triangle, const Range& alpha) {
+  if (triangle.alpha && triangle.alpha->blends) {
+    const Words own = sheet(alpha, triangle);
+    return {saturating_sum(before.low, own.low), saturating_sum(before.high, own.high)};
+  }
+  if (!triangle.transmissive) return {blocked, blocked};
+  return {saturating_sum(before.low, triangle.tint), saturating_sum(before.high, triangle.tint)};
+}
+
+Range alpha_around(const OracleTriangle& triangle, const glm::dvec2& weights, double off) {
+  return triangle.alpha ? triangle.alpha->around(weights, off) : Range{1, 1};
+}
+
+/// Whether the ray passes the triangle, whose back it meets or of which alpha leaves nothing there.
+bool passes(const Traced& traced, const OracleTriangle& triangle, const glm::dvec2& weights) {
+  if (triangle.alpha && triangle.alpha->at(weights) < triangle.alpha->least) return true;
   const glm::dvec3 a(triangle.a), normal = glm::cross(glm::dvec3(triangle.b) - a, glm::dvec3(triangle.c) - a);
   return traced.past_backs && triangle.single_sided && glm::dot(normal, glm::dvec3(traced.ray.direction)) > 0;
 }
 
 bool agrees(const Traced& traced, const Embree& embree, const std::vector<OracleTriangle>& triangles) {
   if (traced.shadow) {
-    glm::uvec3 words(0);
+    Words words;
     for (const Crossing& crossing : embree.all(traced.ray))
-      if (const OracleTriangle& triangle = triangles[crossing.triangle]; !passes(traced, triangle))
-        words = passed(words, triangle);
-    return words == traced.transmittance;
+      if (const OracleTriangle& triangle = triangles[crossing.triangle]; !passes(traced, triangle, crossing.weights))
+        words = passed(words, triangle, alpha_around(triangle, crossing.weights, margin));
+    return holds(words, traced.transmittance);
   }
   const auto closest = embree.closest(traced.ray);
   if (!closest) return traced.hit == shared::none;
@@ -99,9 +148,18 @@ struct Met {
   uint32_t triangle = 0;
   double t = 0, resolution = 0;
   Meeting meeting = Meeting::none;
+  Range alpha{1, 1};
 };
 
-/// In double precision (Möller and Trumbore). Doubtful within the margin of an edge or of the ray's end.
+/// What alpha leaves of a meeting.
+Meeting left(Meeting meeting, const OracleTriangle& triangle, const Range& alpha) {
+  if (!triangle.alpha) return meeting;
+  if (alpha.high < triangle.alpha->least) return Meeting::none;
+  return alpha.low < triangle.alpha->least ? Meeting::doubtful : meeting;
+}
+
+/// In double precision (Möller and Trumbore). Doubtful within the margin of an edge, of the ray's end or of
+/// what alpha cuts away.
 Met meet(const Traced& traced, const OracleTriangle& triangle, uint32_t number) {
   const glm::dvec3 origin(traced.ray.origin), direction(traced.ray.direction), a(triangle.a);
   const glm::dvec3 ab = glm::dvec3(triangle.b) - a, ac = glm::dvec3(triangle.c) - a, from_a = origin - a;
@@ -113,7 +171,9 @@ Met meet(const Traced& traced, const OracleTriangle& triangle, uint32_t number) 
   const double t = glm::dot(ac, q) / determinant, inside = std::min({v, w, 1 - v - w}), end = traced.ray.tmax;
   if (inside < -margin || t <= 0 || t > end * (1 + margin)) return {};
   const bool doubtful = inside <= margin || t >= end * (1 - margin);
-  return {number, t, resolution(traced.ray, triangle), doubtful ? Meeting::doubtful : Meeting::sure};
+  const Range alpha = alpha_around(triangle, {v, w}, triangle.alpha ? weights_off(traced.ray, triangle) : 0);
+  const Meeting meeting = left(doubtful ? Meeting::doubtful : Meeting::sure, triangle, alpha);
+  return {number, t, resolution(traced.ray, triangle), meeting, alpha};
 }
 
 enum class Finding { right, exception, wrong };
@@ -137,22 +197,23 @@ Finding find_closest(const Traced& traced, const std::vector<Met>& met) {
 }
 
 /// Whether any choice among the doubtful meetings from `first` on makes up the words.
-bool made_up(const glm::uvec3& words, const glm::uvec3& wanted, const std::vector<const OracleTriangle*>& doubtful,
-             size_t first) {
-  if (first == doubtful.size()) return words == wanted;
-  return made_up(words, wanted, doubtful, first + 1) ||
-         made_up(passed(words, *doubtful[first]), wanted, doubtful, first + 1);
+bool made_up(const Words& words, const Traced& traced, const std::vector<Met>& doubtful,
+             const std::vector<OracleTriangle>& triangles, size_t first) {
+  if (first == doubtful.size()) return holds(words, traced.transmittance);
+  const Met& m = doubtful[first];
+  return made_up(words, traced, doubtful, triangles, first + 1) ||
+         made_up(passed(words, triangles[m.triangle], m.alpha), traced, doubtful, triangles, first + 1);
 }
 
 Finding find_shadow(const Traced& traced, const std::vector<Met>& met, const std::vector<OracleTriangle>& triangles) {
-  glm::uvec3 words(0);
-  std::vector<const OracleTriangle*> doubtful;
+  Words words;
+  std::vector<Met> doubtful;
   for (const Met& m : met) {
-    if (m.meeting == Meeting::sure) words = passed(words, triangles[m.triangle]);
-    else doubtful.push_back(&triangles[m.triangle]);
+    if (m.meeting == Meeting::sure) words = passed(words, triangles[m.triangle], m.alpha);
+    else doubtful.push_back(m);
   }
-  if (words == traced.transmittance && doubtful.empty()) return Finding::right;
-  return made_up(words, traced.transmittance, doubtful, 0) ? Finding::exception : Finding::wrong;
+  if (doubtful.empty() && holds(words, traced.transmittance)) return Finding::right;
+  return made_up(words, traced, doubtful, triangles, 0) ? Finding::exception : Finding::wrong;
 }
 
 /// Against every triangle.

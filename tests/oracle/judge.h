@@ -12,6 +12,7 @@ struct Verdict {
   uint64_t rays = 0;
   uint64_t disagreed = 0;   ///< with Embree, which is right or wrong in float32 as well
   uint64_t exceptions = 0;  ///< right only within the margin: 1e-5, barycentric, of an edge, or 1e-5 t of the ray's end
+                            ///< or of where alpha cuts the triangle away
   uint64_t wrong = 0;       ///< right in no way
   std::string first_wrong;  ///< a sentence
 };

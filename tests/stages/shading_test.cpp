@@ -145,24 +145,25 @@ TEST_CASE("gathering follows slots to rays to children, by kind, and takes the b
   const std::vector<glm::vec4> light = {glm::vec4(0.5f), glm::vec4(0.25f), glm::vec4(9)};
   gpu::upload_bytes(device, made.generation.direct, 0, light.data(), 48);
   made.generation.weights[shared::kind_reflection] =
-      gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.5f)), "weights");
+      gpu::upload(device, std::vector<glm::vec4>(3, {0.5f, 0.5f, 0.5f, 0}), "weights");
   made.generation.weights[shared::kind_refraction] =
-      gpu::upload(device, std::vector<glm::vec4>(3, glm::vec4(0.25f)), "weights");
+      gpu::upload(device, std::vector<glm::vec4>(3, {0.25f, 0.25f, 0.25f, 7.25f}), "weights");  // solid 7; .25 beside
   surfaces::Children children;
   children.ends = gpu::upload(device, std::vector<uint32_t>{5, 5, 5, 6, 7, 7, 7, 8, 8}, "ends");  // slots 0-2: shadow
   children.surfaces = 3;
   children.of_kind[shared::kind_reflection] = {3, 5, 2, 1};
   children.of_kind[shared::kind_refraction] = {6, 7, 1, 3};
   const gpu::Buffer totals =
-      gpu::upload(device, std::vector<glm::vec4>{glm::vec4(100), glm::vec4(2), glm::vec4(4), glm::vec4(8)}, "totals");
+      gpu::upload(device, std::vector<glm::vec4>{glm::vec4(100), glm::vec4(2), glm::vec4(4), {8, 8, 8, 0}}, "totals");
   children.totals = &totals;
   made.generation.children.push_back(std::move(children));
   shading::Gathered gathered;
   shading::gather(recorder, made.generation, {0.125f, 0, 0}, gathered, shading::Parts::wanted);
   const auto total = recorder.read<glm::vec4>(gathered.total, 3),
              reflected = recorder.read<glm::vec4>(gathered.brought[shared::kind_reflection], 3);
-  CHECK(total[0] == glm::vec4(2.5f, 1.5f, 1.5f, 1));     // 1 emitted (red), 0.5 direct, half of child 1
-  CHECK(total[1] == glm::vec4(4.25f, 4.25f, 4.25f, 1));  // 0.25 direct, half of child 2, a quarter of child 3
+  CHECK(total[0] == glm::vec4(2.5f, 1.5f, 1.5f, 1));  // 1 emitted (red), 0.5 direct, half of child 1
+  // 0.25 direct, half of child 2, a quarter of child 3, which met nothing where it passed beside
+  CHECK(total[1] == glm::vec4(4.25f, 4.25f, 4.25f, 0.75f));
   CHECK(total[2] == glm::vec4(0.125f, 0, 0, 0));
   CHECK(glm::vec3(reflected[1]) == glm::vec3(2));
   CHECK(recorder.read<glm::vec4>(gathered.brought[shared::kind_refraction], 3)[1].r == 2);
