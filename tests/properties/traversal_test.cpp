@@ -162,6 +162,10 @@ TEST_CASE("rays of nodes that need very many tests go one by one, and lose no hi
   Tracer tracer(test::device());
   Random random(11);
   const std::vector<Triangle> triangles = closed_mesh(5, glm::vec3(0), 1);
+  if (test::device().limits().max_texels < 9 * triangles.size()) {  // three vertices of three texels
+    MESSAGE("skipped: so many vertices are more than this device's texel buffers hold");
+    return;
+  }
   const scene::GpuScene scene = make_scene(tracer.recorder(), {{.triangles = triangles, .transmissive = true}});
   const SortedBatch rays = make_batch(test::device(),
                                       {stray_rays(random, triangles, 3000, shared::kind_shadow),
