@@ -10,16 +10,6 @@ namespace {
 
 using glm::dvec3;
 
-void include(Bounds& bounds, const glm::vec3& point) {
-  bounds.low = glm::min(bounds.low, point);
-  bounds.high = glm::max(bounds.high, point);
-}
-
-void include(Bounds& bounds, const Bounds& other) {
-  bounds.low = glm::min(bounds.low, other.low);
-  bounds.high = glm::max(bounds.high, other.high);
-}
-
 float weight_of(const std::vector<float>& weights, uint32_t target) {
   return target < weights.size() ? weights[target] : 0;
 }
@@ -58,8 +48,8 @@ Bounds moved(const glm::mat4& transform, const Bounds& box) {
   const glm::dmat4 exact(transform);
   Bounds out;
   for (int i = 0; i < 8; ++i)
-    include(out, glm::vec3(exact * glm::dvec4(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
-                                              i & 4 ? box.high.z : box.low.z, 1)));
+    out.include(glm::vec3(exact * glm::dvec4(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
+                                             i & 4 ? box.high.z : box.low.z, 1)));
   return out;
 }
 
@@ -79,14 +69,14 @@ double determinant_of(const glm::mat4& m) { return glm::determinant(glm::dmat3(g
 void fill_deform_bounds(Mesh& mesh) {
   std::map<uint32_t, Bounds> boxes;
   for (size_t v = 0; v < mesh.positions.size(); ++v)
-    for (const Influence& influence : mesh.influences.of(v)) include(boxes[influence.joint], mesh.positions[v]);
+    for (const Influence& influence : mesh.influences.of(v)) boxes[influence.joint].include(mesh.positions[v]);
   mesh.joint_boxes.clear();
   for (const auto& [joint, box] : boxes) {
     mesh.joint_boxes.push_back({joint, box});
     if (joint != unskinned) mesh.joint_count = joint + 1;
   }
   mesh.target_boxes.assign(mesh.target_count, Bounds());
-  for (const Displacement& d : mesh.displacements.items) include(mesh.target_boxes[d.target], d.position);
+  for (const Displacement& d : mesh.displacements.items) mesh.target_boxes[d.target].include(d.position);
 }
 
 bool deforms(const Scene& scene, const Instance& instance) {
@@ -118,11 +108,11 @@ Bounds posed_bounds(const Scene& scene, const GeometryPose& pose, uint32_t insta
   Bounds out;
   if (one.skin) {
     for (const JointBox& part : mesh.joint_boxes)
-      include(out, moved(joint_matrix(pose.joints[*one.skin], part.joint), reached(part.box)));
+      out.include(moved(joint_matrix(pose.joints[*one.skin], part.joint), reached(part.box)));
     return padded(out);
   }
   Bounds rest;
-  for (const glm::vec3& position : mesh.positions) include(rest, position);
+  for (const glm::vec3& position : mesh.positions) rest.include(position);
   return padded(moved(pose.instances[instance], reached(rest)));
 }
 

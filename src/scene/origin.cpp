@@ -23,23 +23,26 @@ double roundest(double low, double high) {
       return number;
 }
 
-Bounds bounds_at_rest(const Scene& scene) { return scene.bounds(scene.pose(0, playing(scene, "").animations)); }
+Pose pose_at_rest(const Scene& scene) { return scene.pose(0, playing(scene, "").animations); }
+
+Bounds bounds_at_rest(const Scene& scene) { return scene.bounds(pose_at_rest(scene)); }
 
 Bounds bounds_of(const std::vector<glm::vec3>& positions) {
   Bounds bounds;
-  for (const glm::vec3& position : positions) {
-    bounds.low = glm::min(bounds.low, position);
-    bounds.high = glm::max(bounds.high, position);
-  }
+  for (const glm::vec3& position : positions) bounds.include(position);
   return bounds;
 }
 
-/// A step at a time: what floats lose of the first, the second finds.
-void move_to_geometry(Scene& scene) {
-  for (int step = 0; step < 2; ++step) {
-    const Bounds bounds = bounds_at_rest(scene);
-    if (!bounds.empty()) scene.origin += origin_for(bounds);
+/// A step at a time: what floats lose of the first, the second finds. Returns the bounds as they are in the end.
+Bounds move_to_geometry(Scene& scene) {
+  Bounds bounds = bounds_at_rest(scene);
+  for (int step = 0; step < 2 && !bounds.empty(); ++step) {
+    const glm::dvec3 further = origin_for(bounds);
+    if (further == glm::dvec3(0)) break;
+    scene.origin += further;
+    bounds = bounds_at_rest(scene);
   }
+  return bounds;
 }
 
 /// Exact: what places differ by from a round number among them has fewer digits than they have.
@@ -110,10 +113,8 @@ glm::dvec3 origin_for(const Bounds& bounds) {
 }
 
 void choose_origin(Scene& scene) {
-  move_to_geometry(scene);
-  const Pose pose = scene.pose(0, playing(scene, "").animations);
-  const double edge = scene.bounds(pose).longest_edge();
-  if (edge > 0) move_meshes(scene, pose, edge);
+  const double edge = move_to_geometry(scene).longest_edge();
+  if (edge > 0) move_meshes(scene, pose_at_rest(scene), edge);
   if (scene.origin != glm::dvec3(0) || any_far_node(scene, edge)) return;
   for (Node& node : scene.nodes) round_to_floats(node);
 }

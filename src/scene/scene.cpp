@@ -143,11 +143,8 @@ Bounds Scene::bounds(const Pose& pose) const {
     if (!pose.hidden.empty() && pose.hidden[i]) continue;
     std::vector<glm::vec3> deformed;
     if (deforms(*this, instances[i])) deformed = posed_positions(*this, pose, i);
-    for (const glm::vec3& position : deformed.empty() ? meshes[instances[i].mesh].positions : deformed) {
-      const glm::vec3 moved(glm::dmat4(pose.instances[i]) * glm::dvec4(position, 1));
-      out.low = glm::min(out.low, moved);
-      out.high = glm::max(out.high, moved);
-    }
+    for (const glm::vec3& position : deformed.empty() ? meshes[instances[i].mesh].positions : deformed)
+      out.include(glm::vec3(glm::dmat4(pose.instances[i]) * glm::dvec4(position, 1)));
   }
   return out;
 }

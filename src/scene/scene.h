@@ -29,6 +29,12 @@ struct Bounds {
   glm::vec3 low{std::numeric_limits<float>::infinity()};
   glm::vec3 high{-std::numeric_limits<float>::infinity()};
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+  void include(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  void include(const glm::vec3& point) { include(Bounds{point, point}); }
+  void include(const Sphere& sphere) { include(Bounds{sphere.centre - sphere.radius, sphere.centre + sphere.radius}); }
   /// Metres; 0 where empty.
   [[nodiscard]] float longest_edge() const {
     const glm::vec3 edges = empty() ? glm::vec3(0) : high - low;

@@ -225,16 +225,6 @@ shared::Instance device_instance(const glm::mat4& m) {
           glm::vec4(rows[2], 0)};
 }
 
-void include(Bounds& bounds, const Sphere& sphere) {
-  bounds.low = glm::min(bounds.low, sphere.centre - sphere.radius);
-  bounds.high = glm::max(bounds.high, sphere.centre + sphere.radius);
-}
-
-void include(Bounds& bounds, const Bounds& other) {
-  bounds.low = glm::min(bounds.low, other.low);
-  bounds.high = glm::max(bounds.high, other.high);
-}
-
 template <class T>
 void write(gpu::Device& device, gpu::Buffer& target, const std::vector<T>& values) {
   if (!values.empty()) gpu::upload_bytes(device, target, 0, values.data(), values.size() * sizeof(T));
@@ -244,11 +234,11 @@ void write(gpu::Device& device, gpu::Buffer& target, const std::vector<T>& value
 glm::vec4 move_sphere(GpuScene& target, const Scene& scene, const Pose& pose, uint32_t i) {
   const bool hidden = !pose.hidden.empty() && pose.hidden[i];
   if (deforms(scene, scene.instances[i])) {
-    if (!hidden) include(target.bounds, posed_bounds(scene, pose, i));
+    if (!hidden) target.bounds.include(posed_bounds(scene, pose, i));
     return glm::vec4(0);
   }
   const Sphere sphere = transformed_sphere(scene.meshes[scene.instances[i].mesh], pose.instances[i]);
-  if (sphere.radius > 0 && !hidden) include(target.bounds, sphere);
+  if (sphere.radius > 0 && !hidden) target.bounds.include(sphere);
   return {sphere.centre, sphere.radius};
 }
 
