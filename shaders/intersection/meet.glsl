@@ -15,15 +15,6 @@ layout(binding = 2, scalar) readonly buffer CornersC { vec4 corner_c[]; };
 layout(binding = 3, scalar) readonly buffer Materials { Material materials[]; };
 layout(binding = 4, scalar) buffer Hits { uvec4 hits[]; };
 
-const uint blocked = 0xFFFFFFFFu;
-
-/// Transmittances are added as -log2 in fixed point, up to `blocked` at most, so that the sum does not depend on the
-/// order of adding.
-uvec3 saturating_sum(uvec3 a, uvec3 b) {
-  uvec3 sum = a + b;
-  return mix(sum, uvec3(blocked), lessThan(sum, a));
-}
-
 /// A triangle as it lies in memory: three corners, with the flags in the first one's w.
 struct Loaded {
   uint id;

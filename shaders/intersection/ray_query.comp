@@ -19,14 +19,6 @@ layout(binding = 2, scalar) writeonly buffer Hits { uvec4 hits[]; };
 layout(binding = 3, scalar) readonly buffer CornersA { vec4 corner_a[]; };  // for the flags
 layout(binding = 4, scalar) readonly buffer Materials { Material materials[]; };
 
-const uint blocked = 0xFFFFFFFFu;
-
-/// Transmittances are added as in meet.glsl.
-uvec3 saturating_sum(uvec3 a, uvec3 b) {
-  uvec3 sum = a + b;
-  return mix(sum, uvec3(blocked), lessThan(sum, a));
-}
-
 /// What the device says may be hit, and what of it is.
 struct Candidate {
   bool met;

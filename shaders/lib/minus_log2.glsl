@@ -1,7 +1,17 @@
 #ifndef CRSH_LIB_MINUS_LOG2_GLSL
 #define CRSH_LIB_MINUS_LOG2_GLSL
+// Transmittances, as -log2 in 16.16 fixed point a channel.
 
-/// -log2 of what is let through, 0 to 1, in 16.16 fixed point; 0xFFFFFFFF for 0. Written out, because log2() may round
+/// Nothing gets through.
+const uint blocked = 0xFFFFFFFFu;
+
+/// They are added up to `blocked` at most, so that the sum does not depend on the order of adding.
+uvec3 saturating_sum(uvec3 a, uvec3 b) {
+  uvec3 sum = a + b;
+  return mix(sum, uvec3(blocked), lessThan(sum, a));
+}
+
+/// -log2 of what is let through, 0 to 1; `blocked` for 0. Written out, because log2() may round
 /// otherwise in another shader: the exponent, and of the rest, from sqrt(1/2) to sqrt(2), the series of the area
 /// hyperbolic tangent (off by less than 1e-8).
 uint minus_log2(float through) {
@@ -14,7 +24,7 @@ uint minus_log2(float through) {
   precise float square = s * s;
   precise float series = s * (2.885390082 + square * (0.961796694 + square * (0.577078016 + square * 0.412198583)));
   precise float fixed_point = (exponent + series) * -65536.0 + 0.5;
-  return through > 0.0 ? uint(max(fixed_point, 0.0)) : 0xFFFFFFFFu;
+  return through > 0.0 ? uint(max(fixed_point, 0.0)) : blocked;
 }
 
 /// What a sheet that is there to `alpha` lets through: all beside it, and of what meets it `tint`, RGB of 10 bits each.

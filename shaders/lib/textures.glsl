@@ -61,10 +61,9 @@ vec4 sample_level(Texture image, bool nearest, vec2 uv) {
 /// two: `texels`, of level 0, that the footprint is wide.
 float level_of(float texels) { return texels > 1.0 ? log2(texels) : 0.0; }
 
-/// The texture at `uv`, seen with a footprint that is `texels` of level 0 wide (up to 1: magnified; glTF 2.0, section
-/// 3.8.4).
-vec4 sample_texture(uint index, vec2 uv, float texels) {
-  Texture whole = texture_of(index);
+/// Texture `index`, of which `whole` is the largest level, at `uv`, seen with a footprint that is `texels` of that
+/// level wide (up to 1: magnified; glTF 2.0, section 3.8.4).
+vec4 sample_texture(Texture whole, uint index, vec2 uv, float texels) {
   uint last = whole.flags >> texture_levels_shift & 15u;
   if (texels <= 1.0 || last == 0u) {
     uint way = texels <= 1.0 ? texture_nearest : texture_nearest_in_level;

@@ -5,6 +5,7 @@
 #include "scene/surface.glsl"
 
 const uint first_lobe_slot = slot_specular;
+const uint slots_of_lobes = ~((1u << first_lobe_slot) - 1u);
 
 /// What the textures of a material's lobes hold at a point, by slot; white where it has none.
 struct LobeTexels {
@@ -16,7 +17,7 @@ LobeTexels lobe_texels_at(Material material, Attributes at, Point point, vec3 in
   for (uint i = 0u; i < slot_count - first_lobe_slot; ++i) found.of[i] = vec4(1.0);
   uvec3 uv_metrics = stored_triangle(stored_of(point.triangle)).uv_metrics;
   float footprint = footprint_on(point, incoming);
-  for (uint left = material.slots & ~slots_of_all; left != 0u; left &= left - 1u) {
+  for (uint left = material.slots & slots_of_lobes; left != 0u; left &= left - 1u) {
     uint slot = uint(findLSB(left));
     found.of[slot - first_lobe_slot] = texel_of(material, slot, at, uv_metrics, point.area, footprint);
   }

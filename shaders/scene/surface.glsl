@@ -67,12 +67,11 @@ float footprint_on(Point point, vec3 incoming) {
   return point.footprint / max(abs(dot(point.front, incoming)), 0.0625);
 }
 
-/// Squared texels a metre of a triangle, along the way in which they lie closest: the larger eigenvalue of J
+/// Squared texels of `whole` a metre of a triangle, along the way in which they lie closest: the larger eigenvalue of J
 /// transposed(J), J taking positions to texels. `metric`: of StoredTriangle, for the use's set of coordinates.
-float texel_density(TextureUse use, uint metric, float area) {
+float texel_density(Texture whole, TextureUse use, uint metric, float area) {
   float unit = exp2(float(metric >> 24) - 135.0) / max(area, 1e-30);
   vec3 g = vec3(float(metric & 255u), float(metric >> 8 & 255u) - 128.0, float(metric >> 16 & 255u)) * unit;
-  Texture whole = texture_of(use.texture);
   vec2 u = use.matrix.xy * float(whole.width), v = use.matrix.zw * float(whole.height);
   float uu = u.x * u.x * g.x + 2.0 * u.x * u.y * g.y + u.y * u.y * g.z;
   float uv = u.x * v.x * g.x + (u.x * v.y + u.y * v.x) * g.y + u.y * v.y * g.z;
@@ -82,8 +81,8 @@ float texel_density(TextureUse use, uint metric, float area) {
 }
 
 /// How many texels of the texture are as wide as `footprint` metres of the triangle.
-float texels_across(TextureUse use, uvec3 uv_metrics, float area, float footprint) {
-  return footprint * sqrt(max(texel_density(use, uv_metrics[use.uv_set], area), 0.0));
+float texels_across(Texture whole, TextureUse use, uvec3 uv_metrics, float area, float footprint) {
+  return footprint * sqrt(max(texel_density(whole, use, uv_metrics[use.uv_set], area), 0.0));
 }
 
 /// Texture coordinates after KHR_texture_transform.
@@ -103,7 +102,9 @@ TextureUse use_of(Material material, uint slot) {
 vec4 texel_of(Material material, uint slot, Attributes at, uvec3 uv_metrics, float area, float footprint) {
   TextureUse use = use_of(material, slot);
   vec2 uv = use.uv_set == 0u ? at.uv[0] : use.uv_set == 1u ? at.uv[1] : at.uv[2];
-  return sample_texture(use.texture, transformed(use, uv), texels_across(use, uv_metrics, area, footprint));
+  Texture whole = texture_of(use.texture);
+  float texels = texels_across(whole, use, uv_metrics, area, footprint);
+  return sample_texture(whole, use.texture, transformed(use, uv), texels);
 }
 
 /// What a material's textures hold at a point; white where it has none.
@@ -113,15 +114,14 @@ struct Texels {
   vec4 emissive;
   vec4 transmission;
   vec4 normal;
-  vec4 occlusion;
 };
-const uint slots_of_all = (1u << slot_occlusion + 1u) - 1u;
+const uint slots_of_all = (1u << slot_normal + 1u) - 1u;
 
 /// One loop over the textures that the material has: the sampler is long, and lavapipe 22.3 runs through every branch,
-/// taken or not. (Nested loops that test at their ends give wrong sums there.) `slots`: those of the first six that are
-/// wanted.
+/// taken or not. (Nested loops that test at their ends give wrong sums there.) `slots`: those of the first five that
+/// are wanted.
 Texels texels_at(Material material, uint slots, Attributes at, Point point, vec3 incoming) {
-  Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
+  Texels found = Texels(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
   uint left = material.slots & slots;
   if (left == 0u) return found;
   uvec3 uv_metrics = stored_triangle(stored_of(point.triangle)).uv_metrics;
@@ -134,7 +134,6 @@ Texels texels_at(Material material, uint slots, Attributes at, Point point, vec3
     if (slot == slot_emissive) found.emissive = value;
     if (slot == slot_transmission) found.transmission = value;
     if (slot == slot_normal) found.normal = value;
-    if (slot == slot_occlusion) found.occlusion = value;
   }
   return found;
 }
