@@ -88,18 +88,25 @@ TEST_CASE("a scene that cannot be read is one line, exit status 1") {
   }
 }
 
-TEST_CASE("a scene's files outside its folder are refused, with the option that reads them") {
-  const test::TemporaryFolder folder;
-  const std::string scene = test::outside_scene(folder);
+/// Every command that reads the scene refuses it in one line, with the reason and the option that mends it at the end.
+void check_refused(const test::TemporaryFolder& folder, const std::string& scene, const char* reason,
+                   const char* mend) {
   for (const std::vector<std::string>& line :
        {std::vector<std::string>{"info", scene}, {"render", scene, "-o", folder / "x.png"}, {"bench", scene}}) {
     const test::Outcome outcome = crsh(line);
     CAPTURE(outcome.err);
     CHECK(outcome.status == 1);
     CHECK(outcome.error_lines() == 1);
-    CHECK(outcome.err.find("'../three.bin', which it refers to: lies outside the scene's folder") != std::string::npos);
-    CHECK(outcome.err.ends_with("(--allow-outside)\n"));
+    CHECK(outcome.err.find(reason) != std::string::npos);
+    CHECK(outcome.err.ends_with(mend));
   }
+}
+
+TEST_CASE("a scene's files outside its folder are refused, with the option that reads them") {
+  const test::TemporaryFolder folder;
+  const std::string scene = test::outside_scene(folder);
+  check_refused(folder, scene, "'../three.bin', which it refers to: lies outside the scene's folder",
+                "(--allow-outside)\n");
   CHECK(nlohmann::json::parse(crsh({"info", scene, "--json", "--allow-outside"}).out)["scene"]["triangles"] == 1);
   CHECK(crsh({"render", scene, "--allow-outside", "--size", "8x8", "-o", folder / "x.png"}).status == 0);
   CHECK(crsh({"bench", scene + " --allow-outside", "--algorithms", "brute", "--size", "8x8", "--repeat", "1"}).status ==
@@ -110,15 +117,7 @@ TEST_CASE("a scene that requires what is not done is refused by all its names, w
   const test::TemporaryFolder folder;
   const std::string scene = folder / "needs.gltf";
   std::ofstream(scene) << R"({"asset":{"version":"2.0"},"extensionsRequired":["EXT_none","CESIUM_RTC"]})";
-  for (const std::vector<std::string>& line :
-       {std::vector<std::string>{"info", scene}, {"render", scene, "-o", folder / "x.png"}, {"bench", scene}}) {
-    const test::Outcome outcome = crsh(line);
-    CAPTURE(outcome.err);
-    CHECK(outcome.status == 1);
-    CHECK(outcome.error_lines() == 1);
-    CHECK(outcome.err.find("CESIUM_RTC and EXT_none") != std::string::npos);
-    CHECK(outcome.err.ends_with("(--lenient)\n"));
-  }
+  check_refused(folder, scene, "CESIUM_RTC and EXT_none", "(--lenient)\n");
   CHECK(nlohmann::json::parse(crsh({"info", scene, "--json", "--lenient"}).out)["scene"]["unsupported"].size() == 2);
 }
 

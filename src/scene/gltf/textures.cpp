@@ -84,7 +84,7 @@ TextureUse TextureReader::use(int index, int texcoord, const std::optional<Exten
   return out;
 }
 
-/// Sets of coordinates are numbered in the order in which materials ask for them, but for the first two.
+/// Where among Mesh::uv the set TEXCOORD_`set` is (texcoords_used).
 uint32_t TextureReader::slot_of(uint32_t set) {
   const auto found = std::find(scene_.texcoords.begin(), scene_.texcoords.end(), set);
   if (found != scene_.texcoords.end()) return uint32_t(found - scene_.texcoords.begin());
