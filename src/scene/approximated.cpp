@@ -38,6 +38,9 @@ bool shadows_by_thickness(const Material& material) {
 /// A volume behind diffuse transmission scatters light.
 bool scatters(const Material& material) { return material.diffuse_transmission.factor > 0 && material.thickness > 0; }
 
+/// They dim light from everywhere, which nothing casts.
+bool has_occlusion(const Material& material) { return material.texture(Slot::occlusion).texture.has_value(); }
+
 bool has_sheen(const Material& material) { return material.sheen.colour != glm::vec3(0); }
 
 }  // namespace
@@ -55,6 +58,7 @@ std::vector<std::string> approximated(const Scene& scene) {
   add("shadows of coloured solids, by the thickness that the file gives", shadows_by_thickness);
   add("light scattered inside diffuse transmission, drawn as through a thin sheet", scatters);
   add("sheen, seen by lamps' light alone", has_sheen);
+  add("occlusion maps, which lamps' light does not show", has_occlusion);
   return clauses;
 }
 
